@@ -1,0 +1,27 @@
+// The energy ledger: where the work of the hand has gone since the start, in joules.
+#pragma once
+
+namespace acus::force {
+
+struct Ledger {
+  double work_hand = 0.0;       // J, done by the hand on the hub
+  double energy_tissue = 0.0;   // J, elastic, in the tissue
+  double energy_needle = 0.0;   // J, bending and axial compression of the needle
+  double energy_contact = 0.0;  // J, springs between needle and tissue (tip contact, pre-sliding)
+  double energy_kinetic = 0.0;  // J, tissue and needle
+  double work_cutting = 0.0;    // J, never decreases
+  double work_friction = 0.0;   // J, never decreases
+  double work_damping = 0.0;    // J, Rayleigh
+  double work_numerical = 0.0;  // J, dissipated by the integrator, from its own formulas
+};
+
+// Where the work went, all lines but the first. J
+inline double accounted(const Ledger& l) {
+  return l.energy_tissue + l.energy_needle + l.energy_contact + l.energy_kinetic + l.work_cutting +
+         l.work_friction + l.work_damping + l.work_numerical;
+}
+
+// What the ledger cannot explain. J
+inline double residual(const Ledger& l) { return l.work_hand - accounted(l); }
+
+}  // namespace acus::force

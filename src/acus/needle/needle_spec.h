@@ -1,0 +1,32 @@
+// What a needle is: the numbers a user chooses.
+#pragma once
+
+#include <array>
+#include <numbers>
+
+namespace acus::needle {
+
+// End supports of the free part, hub first. The effective-length factor of each is its critical_load_factor.
+enum class Support { pinned_pinned, clamped_pinned, clamped_clamped, clamped_free };
+inline constexpr std::array all_supports = {Support::pinned_pinned, Support::clamped_pinned,
+                                            Support::clamped_clamped, Support::clamped_free};
+
+// Defaults are the steel needle of the paper's Table I.
+struct NeedleSpec {
+  double length = 0.2;               // m, hub to tip, stress-free
+  double radius = 0.3e-3;            // m, solid round section
+  double youngs_modulus = 200e9;     // Pa
+  double density = 7850.0;           // kg/m^3, stainless steel
+  Support support = Support::clamped_pinned;
+  double imperfection = 0.05e-3;     // m, amplitude of the initial bow at full length; seeds the bifurcation
+};
+
+// Symbols: A = pi r^2 [m^2], I = pi r^4 / 4 [m^4].
+inline double section_area(const NeedleSpec& n) { return std::numbers::pi * n.radius * n.radius; }
+inline double bending_rigidity(const NeedleSpec& n) {
+  return n.youngs_modulus * std::numbers::pi * n.radius * n.radius * n.radius * n.radius / 4.0;  // EI, N m^2
+}
+inline double axial_rigidity(const NeedleSpec& n) { return n.youngs_modulus * section_area(n); }  // EA, N
+inline double mass(const NeedleSpec& n) { return n.density * section_area(n) * n.length; }        // kg
+
+}  // namespace acus::needle

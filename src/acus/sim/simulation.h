@@ -1,0 +1,49 @@
+// Simulation: one insertion, advanced a step at a time. No threads, no files.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "acus/mesh/tet_mesh.h"
+#include "acus/sim/frame.h"
+#include "acus/sim/scene.h"
+
+namespace acus {
+
+class Simulation {
+ public:
+  // Builds the model of a scene; `mesh` is the mesh of scene.tissue.mesh in metres (null for a block or rigid).
+  // Allocates everything a step will need.
+  static Result<Simulation> build(const Scene& scene, const mesh::TetMesh* mesh = nullptr);
+
+  // Advances one time step; the hub ends it at `hand_travel` [m]. Allocates nothing.
+  const Frame& step(double hand_travel);
+
+  const Scene& scene() const;
+  const Frame& frame() const;
+  std::span<const Event> events() const;            // in order of time
+
+  const mesh::TetMesh& tissue() const;              // at rest, ordered for locality; empty when rigid
+  std::span<const Vec3> positions() const;          // m, one per node, now
+  std::span<const Vec3> velocities() const;         // m/s
+  std::span<const double> von_mises() const;        // Pa, one per tetrahedron, now (computed on call)
+  // The centre line of the needle now, hub to tip, m: `points` points evenly along its arc.
+  std::vector<Vec3> needle_line(int points) const;
+  Vec3 entry() const;                               // m, undeformed
+  Vec3 direction() const;                           // unit vector into the tissue
+
+  std::uint64_t state_hash() const;
+
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+  ~Simulation();
+
+ private:
+  struct Parts;
+  explicit Simulation(std::unique_ptr<Parts> parts);
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace acus

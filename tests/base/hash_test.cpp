@@ -1,0 +1,18 @@
+#include "acus/base/hash.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+
+// FNV-1a of eight zero bytes and of the bytes of int 97, from the published algorithm run by hand in Python.
+TEST(Hash, follows_the_published_fnv1a) {
+  EXPECT_EQ(acus::hex(acus::hash_of(std::array<int, 1>{97})), "ac804b820e4fe984");
+  EXPECT_EQ(acus::hex(acus::hash_of(std::array<double, 1>{0.0})), "a8c7f832281a39c5");
+}
+
+TEST(Hash, tells_neighbouring_doubles_apart_but_not_the_sign_of_zero) {
+  const double next = std::nextafter(1.0, 2.0);
+  EXPECT_NE(acus::hash_of(std::array<double, 1>{1.0}), acus::hash_of(std::array<double, 1>{next}));
+  EXPECT_EQ(acus::hash_of(std::array<double, 1>{0.0}), acus::hash_of(std::array<double, 1>{-0.0}));
+}

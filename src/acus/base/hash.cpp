@@ -25,7 +25,8 @@ std::uint64_t hash_of(std::span<const int> values, std::uint64_t so_far) {
 
 std::string hex(std::uint64_t hash) {
   std::string digits(16, '0');
-  for (int i = 15; i >= 0; --i, hash >>= 4) digits[static_cast<std::size_t>(i)] = "0123456789abcdef"[hash & 0xfU];
+  for (int i = 15; i >= 0; --i, hash >>= 4)
+    digits[static_cast<std::size_t>(i)] = "0123456789abcdef"[hash & 0xfU];
   return digits;
 }
 

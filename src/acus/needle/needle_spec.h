@@ -13,12 +13,12 @@ inline constexpr std::array all_supports = {Support::pinned_pinned, Support::cla
 
 // Defaults are the steel needle of the paper's Table I.
 struct NeedleSpec {
-  double length = 0.2;               // m, hub to tip, stress-free
-  double radius = 0.3e-3;            // m, solid round section
-  double youngs_modulus = 200e9;     // Pa
-  double density = 7850.0;           // kg/m^3, stainless steel
+  double length = 0.2;            // m, hub to tip, stress-free
+  double radius = 0.3e-3;         // m, solid round section
+  double youngs_modulus = 200e9;  // Pa
+  double density = 7850.0;        // kg/m^3, stainless steel
   Support support = Support::clamped_pinned;
-  double imperfection = 0.05e-3;     // m, amplitude of the initial bow at full length; seeds the bifurcation
+  double imperfection = 0.05e-3;  // m, amplitude of the initial bow at full length; seeds the bifurcation
 };
 
 // Symbols: A = pi r^2 [m^2], I = pi r^4 / 4 [m^4].

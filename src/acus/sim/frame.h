@@ -29,7 +29,7 @@ struct Frame {
 };
 
 struct Event {
-  double time = 0.0;         // s
+  double time = 0.0;  // s
   EventKind kind = EventKind::contact;
   double hand_travel = 0.0;  // m
   double hand_force = 0.0;   // N

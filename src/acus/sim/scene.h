@@ -10,38 +10,39 @@
 
 namespace acus {
 
-enum class NeedleModel { column };                       // the paper's closed forms
-enum class Element { linear, nodal_pressure };           // the paper's, and the locking-free one
+enum class NeedleModel { column };              // the paper's closed forms
+enum class Element { linear, nodal_pressure };  // the paper's, and the locking-free one
 enum class Coupling { embedded, nearest_node };
 enum class Crack { ring, slit };
 enum class HandKind { steady, path };
 
 struct TissueScene {
-  bool rigid = false;                // a fixed stop instead of tissue: the bare column in a testing machine
-  double youngs_modulus = 25e3;      // Pa, Table I
-  double poisson_ratio = 0.48;       // Table I
-  double density = 1000.0;           // kg/m^3, Table I
+  bool rigid = false;            // a fixed stop instead of tissue: the bare column in a testing machine
+  double youngs_modulus = 25e3;  // Pa, Table I
+  double poisson_ratio = 0.48;   // Table I
+  double density = 1000.0;       // kg/m^3, Table I
   Element element = Element::nodal_pressure;
-  double damping_mass = 0.0;         // 1/s, Rayleigh: D = damping_mass M + damping_stiffness K
-  double damping_stiffness = 5e-3;   // s
-  Vec3 size{0.1, 0.1, 0.06};         // m, block centred on x = y = 0, bottom at z = 0; depth last
-  int tetrahedra = 10000;            // aimed at
-  std::string mesh;                  // a mesh file instead of the block; empty for the block
-  double mesh_unit = 1e-3;           // m per unit of that file
+  double damping_mass = 0.0;        // 1/s, Rayleigh: D = damping_mass M + damping_stiffness K
+  double damping_stiffness = 5e-3;  // s
+  Vec3 size{0.1, 0.1, 0.06};        // m, block centred on x = y = 0, bottom at z = 0; depth last
+  int tetrahedra = 10000;           // aimed at
+  std::string mesh;                 // a mesh file instead of the block; empty for the block
+  double mesh_unit = 1e-3;          // m per unit of that file
   // Where the needle goes in. For a block: the centre of the top, straight down. For a mesh: the needle comes
   // from far outside along `direction` through `target`, and the first surface it meets is the entry.
-  Vec3 target{0.0, 0.0, 0.0};        // m
-  Vec3 direction{0.0, 0.0, -1.0};    // unit vector, into the tissue
-  double fixed_fraction = 0.1;       // of a mesh's extent along `direction`: the far part that is held fixed
+  Vec3 target{0.0, 0.0, 0.0};      // m
+  Vec3 direction{0.0, 0.0, -1.0};  // unit vector, into the tissue
+  double fixed_fraction = 0.1;     // of a mesh's extent along `direction`: the far part that is held fixed
 };
 
 struct ContactScene {
-  double rupture_force = 1.0;        // N
-  double fracture_toughness = 164.0; // J/m^2, bovine liver, needle (Gokgol 2012)
+  double rupture_force = 1.0;         // N
+  double fracture_toughness = 164.0;  // J/m^2, bovine liver, needle (Gokgol 2012)
   Crack crack = Crack::ring;
-  double friction = 40.0;            // N/m, dry friction per inserted length (order of J Endourol 10.1089/end.2016.0342)
-  double contact_radius = 2.5e-3;    // m, disc over which a tip load is spread
-  double stiffness = 1e4;            // N/m, needle point against tissue (k of Eq. 8)
+  // Dry friction per inserted length; the order measured in J Endourol, 10.1089/end.2016.0342.
+  double friction = 40.0;          // N/m
+  double contact_radius = 2.5e-3;  // m, disc over which a tip load is spread
+  double stiffness = 1e4;          // N/m, needle point against tissue (k of Eq. 8)
   Coupling coupling = Coupling::embedded;
 };
 
@@ -52,14 +53,14 @@ struct HandPoint {
 
 struct HandScene {
   HandKind kind = HandKind::steady;
-  double speed = 10e-3;    // m/s
-  double travel = 80e-3;   // m from first touch
+  double speed = 10e-3;         // m/s
+  double travel = 80e-3;        // m from first touch
   std::vector<HandPoint> path;  // kind = path: straight lines between these, times increasing
 };
 
 struct RunScene {
-  double time_step = 1e-3;          // s
-  double solver_tolerance = 1e-6;   // relative residual of the conjugate gradients
+  double time_step = 1e-3;         // s
+  double solver_tolerance = 1e-6;  // relative residual of the conjugate gradients
 };
 
 struct Scene {

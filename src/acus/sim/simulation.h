@@ -14,8 +14,8 @@ namespace acus {
 
 class Simulation {
  public:
-  // Builds the model of a scene; `mesh` is the mesh of scene.tissue.mesh in metres (null for a block or rigid).
-  // Allocates everything a step will need.
+  // Builds the model of a scene; `mesh` is the mesh of scene.tissue.mesh in metres (null for a block or
+  // rigid). Allocates everything a step will need.
   static Result<Simulation> build(const Scene& scene, const mesh::TetMesh* mesh = nullptr);
 
   // Advances one time step; the hub ends it at `hand_travel` [m]. Allocates nothing.
@@ -23,16 +23,16 @@ class Simulation {
 
   const Scene& scene() const;
   const Frame& frame() const;
-  std::span<const Event> events() const;            // in order of time
+  std::span<const Event> events() const;  // in order of time
 
-  const mesh::TetMesh& tissue() const;              // at rest, ordered for locality; empty when rigid
-  std::span<const Vec3> positions() const;          // m, one per node, now
-  std::span<const Vec3> velocities() const;         // m/s
-  std::span<const double> von_mises() const;        // Pa, one per tetrahedron, now (computed on call)
+  const mesh::TetMesh& tissue() const;        // at rest, ordered for locality; empty when rigid
+  std::span<const Vec3> positions() const;    // m, one per node, now
+  std::span<const Vec3> velocities() const;   // m/s
+  std::span<const double> von_mises() const;  // Pa, one per tetrahedron, now (computed on call)
   // The centre line of the needle now, hub to tip, m: `points` points evenly along its arc.
   std::vector<Vec3> needle_line(int points) const;
-  Vec3 entry() const;                               // m, undeformed
-  Vec3 direction() const;                           // unit vector into the tissue
+  Vec3 entry() const;      // m, undeformed
+  Vec3 direction() const;  // unit vector into the tissue
 
   std::uint64_t state_hash() const;
 

@@ -1,0 +1,31 @@
+# Read by the rules: which files a tree has, and how a rule reports what it found.
+
+cd "$1"
+violations=0
+
+# Files of the tree below the given paths that git tracks or would track; every file when it is no git checkout.
+files() {
+  if [[ -e .git ]]; then
+    git ls-files --cached --others --exclude-standard -- "$@" | sort -u | while read -r file; do
+      [[ ! -f $file ]] || printf '%s\n' "$file"
+    done
+  else
+    find . -type f | sed 's|^\./||' | sort | if [[ $# -gt 0 ]]; then grep -E "^($(IFS='|'; echo "$*"))(/|$)" || true; else cat; fi
+  fi
+}
+
+sources() { files src apps bench tests | grep -E '\.(cpp|h)$' || true; }
+
+# violation WHERE SENTENCE
+violation() {
+  printf '%s: %s\n' "$1" "$2"
+  violations=$((violations + 1))
+}
+
+# Turns the lines of `grep -n` (file:line:text) on standard input into violations.
+violations_from_grep() {
+  local where line text
+  while IFS=: read -r where line text; do violation "$where:$line" "$1: $text"; done
+}
+
+verdict() { [[ $violations -eq 0 ]]; }

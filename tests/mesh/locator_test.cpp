@@ -1,0 +1,86 @@
+#include "acus/mesh/locator.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "acus/mesh/block.h"
+
+namespace acus::mesh {
+namespace {
+
+const Vec3 size(0.1, 0.1, 0.06);
+
+Vec3 random_point(double reach) {
+  const auto coordinate = [&] { return reach * (*rc::gen::inRange(-100000, 100001)) / 100000.0; };
+  const double x = coordinate(), y = coordinate(), z = coordinate();
+  return {x, y, z};
+}
+
+class LocatorInGradedBlock : public ::testing::Test {
+ protected:
+  TetMesh mesh = *build_graded_block(size, 2000);
+  Locator locator{mesh};
+};
+
+RC_GTEST_FIXTURE_PROP(LocatorInGradedBlock, reproduces_a_linear_field_everywhere_inside, ()) {
+  const Vec3 p = Vec3(0.0, 0.0, 0.03) + random_point(1.0).cwiseProduct(Vec3(0.05, 0.05, 0.03));
+  const auto found = locator.locate(p);
+  RC_ASSERT(found.has_value());
+  RC_ASSERT(found->nodes == mesh.tets[static_cast<std::size_t>(found->tet)]);
+  double sum = 0.0;
+  for (double w : found->weights) {
+    RC_ASSERT(w >= 0.0);
+    sum += w;
+  }
+  RC_ASSERT(std::abs(sum - 1.0) < 1e-14);
+  Mat3 gradient;
+  gradient << 2, -1, 5, 0.5, 3, 1, -4, 2, 7;
+  std::vector<Vec3> field;
+  for (const Vec3& x : mesh.nodes) field.push_back(Vec3(1, 2, 3) + gradient * x);
+  RC_ASSERT((interpolate(*found, field) - (Vec3(1, 2, 3) + gradient * p)).norm() < 1e-13);
+}
+
+RC_GTEST_FIXTURE_PROP(LocatorInGradedBlock, snaps_to_the_nearest_point_of_the_surface_and_no_farther, ()) {
+  const Vec3 p = Vec3(0.0, 0.0, 0.03) + random_point(0.1);
+  const Vec3 nearest = p.cwiseMax(Vec3(-0.05, -0.05, 0.0)).cwiseMin(Vec3(0.05, 0.05, 0.06));  // of a box
+  const double distance = (p - nearest).norm();
+  const auto found = locator.locate(p, 0.03);
+  RC_ASSERT(found.has_value() == (distance <= 0.03));
+  if (found) RC_ASSERT((interpolate(*found, mesh.nodes) - nearest).norm() < 1e-12);
+}
+
+RC_GTEST_FIXTURE_PROP(LocatorInGradedBlock, finds_the_node_a_search_of_all_nodes_finds, ()) {
+  const Vec3 p = random_point(0.2);
+  int nearest = 0;
+  for (int i = 1; i < static_cast<int>(mesh.nodes.size()); ++i) {
+    const auto d = [&](int n) { return (mesh.nodes[static_cast<std::size_t>(n)] - p).squaredNorm(); };
+    if (d(i) < d(nearest)) nearest = i;
+  }
+  RC_ASSERT(locator.nearest_node(p) == nearest);
+}
+
+TEST_F(LocatorInGradedBlock, finds_every_node_in_a_tetrahedron_that_has_it) {
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+    const auto found = locator.locate(mesh.nodes[n]);
+    ASSERT_TRUE(found);
+    EXPECT_LT((interpolate(*found, mesh.nodes) - mesh.nodes[n]).norm(), 1e-15);
+    EXPECT_EQ(locator.nearest_node(mesh.nodes[n]), static_cast<int>(n));
+  }
+}
+
+TEST_F(LocatorInGradedBlock, forgives_rounding_at_the_surface_only) {
+  EXPECT_TRUE(locator.locate({0.05 + 1e-9, 0.0, 0.06 + 1e-9}));
+  EXPECT_FALSE(locator.locate({0.0, 0.0, 0.06 + 1e-5}));
+  EXPECT_FALSE(locator.locate({0.0, 0.0, -1.0}));
+}
+
+TEST_F(LocatorInGradedBlock, finds_nothing_at_a_point_that_is_not_finite) {
+  EXPECT_FALSE(locator.locate({0.0, std::nan(""), 0.0}, 1.0));
+  EXPECT_FALSE(locator.locate({0.0, 0.0, std::numeric_limits<double>::infinity()}, 1.0));
+}
+
+}  // namespace
+}  // namespace acus::mesh

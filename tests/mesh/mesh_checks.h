@@ -41,7 +41,9 @@ inline double free_face_area(const TetMesh& mesh) {
   double area = 0.0;
   for (const auto& [face, count] : face_counts(mesh)) {
     if (count != 1) continue;
-    const auto x = [&](std::size_t i) { return mesh.nodes[static_cast<std::size_t>(face[i])]; };
+    const auto x = [&mesh, &corners = face](std::size_t i) {
+      return mesh.nodes[static_cast<std::size_t>(corners[i])];
+    };
     area += 0.5 * (x(1) - x(0)).cross(x(2) - x(0)).norm();
   }
   return area;

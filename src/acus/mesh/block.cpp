@@ -25,7 +25,7 @@ bool is_odd(int i) { return i % 2 != 0; }
 }  // namespace
 
 TetMesh build_block(const Vec3& size, const std::array<int, 3>& cells) {
-  const auto [nx, ny, nz] = cells;
+  const int nx = cells[0], ny = cells[1], nz = cells[2];
   TetMesh mesh;
   // Written so that nodes at i and n - i are mirror images to the last bit.
   const auto centred = [](int i, int n, double width) {

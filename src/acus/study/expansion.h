@@ -1,0 +1,47 @@
+// Expansion: from axes, lists and random ranges to the list of runs, always in the same order.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace acus::study {
+
+// One scene key and the value it gets, as TOML text: {"needle.length_mm", "150"}, {"needle.support",
+// "\"pinned_pinned\""}.
+struct Choice {
+  std::string key;
+  std::string value;
+  bool operator==(const Choice&) const = default;
+};
+
+// One run of a study: its name is also its folder's.
+struct Case {
+  std::string name;
+  std::vector<Choice> choices;
+};
+
+struct Axis {
+  std::string key;
+  std::vector<std::string> values;  // TOML text
+};
+
+// Every combination; the first axis varies slowest. No axes give one case without a name or a choice.
+std::vector<Case> grid(std::span<const Axis> axes);
+
+struct RandomRange {
+  std::string key;
+  double low = 0.0, high = 0.0;
+  bool whole_numbers = false;
+};
+
+// `count` cases, each value drawn evenly from its range. The same seed gives the same cases on every machine
+// (std::mt19937_64, whose sequence the C++ standard fixes).
+std::vector<Case> random_sample(std::span<const RandomRange> ranges, int count, std::uint64_t seed);
+
+// What a choice adds to the name of its case: the value for words, key and value for numbers. Letters, digits
+// and _ . only.
+std::string name_part(const Choice& choice);
+
+}  // namespace acus::study

@@ -61,6 +61,7 @@ struct HandScene {
 struct RunScene {
   double time_step = 1e-3;         // s
   double solver_tolerance = 1e-6;  // relative residual of the conjugate gradients
+  int trace_stride = 1;            // steps from one recorded frame to the next
 };
 
 struct Scene {

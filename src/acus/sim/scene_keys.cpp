@@ -1,0 +1,143 @@
+#include "acus/sim/scene_keys.h"
+
+#include <algorithm>
+#include <type_traits>
+
+#include "acus/base/decimal.h"
+
+namespace acus {
+namespace {
+
+#define ACUS_AT(member) \
+  [](Scene & s) -> auto& { return s.member; }
+#define ACUS_CHOICE(member, ...)                                                             \
+  ChoiceField {                                                                              \
+    {__VA_ARGS__}, [](const Scene& s) { return static_cast<int>(s.member); },                \
+        [](Scene& s, int i) { s.member = static_cast<std::decay_t<decltype(s.member)>>(i); } \
+  }
+
+constexpr int milli = -3, kilo = 3, giga = 9, one = 0;
+
+std::vector<SceneKey> needle_keys() {
+  return {
+      {"needle.model", ACUS_CHOICE(needle_model, "column"),
+       "how the needle bends: column is the paper's closed forms"},
+      {"needle.length_mm", NumberField{ACUS_AT(needle.length), milli, {1.0, 2000.0}}, "hub to tip, unloaded"},
+      {"needle.radius_mm", NumberField{ACUS_AT(needle.radius), milli, {0.01, 10.0}}, "solid round section"},
+      {"needle.youngs_modulus_GPa", NumberField{ACUS_AT(needle.youngs_modulus), giga, {0.001, 1000.0}},
+       "of the needle's material; steel 200"},
+      {"needle.density_kg_m3", NumberField{ACUS_AT(needle.density), one, {1.0, 30000.0}},
+       "of the needle's material; steel 7850"},
+      {"needle.support",
+       ACUS_CHOICE(needle.support, "pinned_pinned", "clamped_pinned", "clamped_clamped", "clamped_free"),
+       "ends of the free part, hub first; the paper's Eq. 10 is pinned_pinned"},
+      {"needle.imperfection_mm", NumberField{ACUS_AT(needle.imperfection), milli, {0.0, 20.0}},
+       "amplitude of the initial bow, which seeds buckling"},
+  };
+}
+
+std::vector<SceneKey> tissue_keys() {
+  return {
+      {"tissue.rigid", SwitchField{ACUS_AT(tissue.rigid)},
+       "true puts a fixed stop in place of tissue: the bare column in a testing machine"},
+      {"tissue.youngs_modulus_kPa", NumberField{ACUS_AT(tissue.youngs_modulus), kilo, {0.01, 1e6}},
+       "stiffness of the tissue"},
+      {"tissue.poisson_ratio", NumberField{ACUS_AT(tissue.poisson_ratio), one, {0.0, 0.5, true}},
+       "towards 0.5 the tissue keeps its volume"},
+      {"tissue.density_kg_m3", NumberField{ACUS_AT(tissue.density), one, {1.0, 30000.0}},
+       "mass density of the tissue"},
+      {"tissue.element", ACUS_CHOICE(tissue.element, "linear", "nodal_pressure"),
+       "linear is the paper's tetrahedron; nodal_pressure does not lock near Poisson's ratio 0.5"},
+      {"tissue.damping_mass_1_s", NumberField{ACUS_AT(tissue.damping_mass), one, {0.0, 1e5}},
+       "Rayleigh damping proportional to mass"},
+      {"tissue.damping_stiffness_ms", NumberField{ACUS_AT(tissue.damping_stiffness), milli, {0.0, 1e5}},
+       "Rayleigh damping proportional to stiffness"},
+      {"tissue.size_mm", VectorField{ACUS_AT(tissue.size), milli, {1.0, 5000.0}},
+       "width, breadth and depth of the block; bottom fixed, top free, entry at the centre of the top"},
+      {"tissue.tetrahedra", IntegerField{ACUS_AT(tissue.tetrahedra), {100.0, 2e6}},
+       "number of tetrahedra aimed at in the block, graded towards the path"},
+      {"tissue.mesh", FileField{ACUS_AT(tissue.mesh)},
+       "mesh file used instead of the block, relative to the scene file; empty for the block"},
+      {"tissue.mesh_unit_mm", NumberField{ACUS_AT(tissue.mesh_unit), milli, {1e-6, 1e6}},
+       "length of the unit of that file"},
+      {"tissue.target_mm", VectorField{ACUS_AT(tissue.target), milli, {-1e5, 1e5}},
+       "point of a mesh that the needle is aimed at"},
+      {"tissue.direction", VectorField{ACUS_AT(tissue.direction), one, {-1e3, 1e3}},
+       "in which the needle comes to a mesh; any length but zero"},
+      {"tissue.fixed_fraction", NumberField{ACUS_AT(tissue.fixed_fraction), one, {0.001, 0.9}},
+       "of a mesh's extent along the direction: the far part that is held fixed"},
+  };
+}
+
+std::vector<SceneKey> contact_keys() {
+  return {
+      {"contact.rupture_force_N", NumberField{ACUS_AT(contact.rupture_force), one, {0.0, 1000.0}},
+       "tip force at which the tissue gives way"},
+      {"contact.fracture_toughness_J_m2", NumberField{ACUS_AT(contact.fracture_toughness), one, {0.0, 1e6}},
+       "work of cutting per crack area; it holds only with the crack it was measured with"},
+      {"contact.crack", ACUS_CHOICE(contact.crack, "ring", "slit"),
+       "crack area per depth: ring is 2 pi r (Eq. 16), slit is 2 r"},
+      {"contact.friction_N_m", NumberField{ACUS_AT(contact.friction), one, {0.0, 1e5}},
+       "dry friction per inserted length"},
+      {"contact.contact_radius_mm", NumberField{ACUS_AT(contact.contact_radius), milli, {0.01, 100.0}},
+       "radius of the disc over which a tip load is spread"},
+      {"contact.stiffness_N_m", NumberField{ACUS_AT(contact.stiffness), one, {1.0, 1e9}},
+       "spring between needle and tissue, k of Eq. 8"},
+      {"contact.coupling", ACUS_CHOICE(contact.coupling, "embedded", "nearest_node"),
+       "embedded acts inside the tetrahedra and converges; nearest_node is the paper's Eq. 8-9"},
+  };
+}
+
+std::vector<SceneKey> hand_and_run_keys() {
+  return {
+      {"hand.kind", ACUS_CHOICE(hand.kind, "steady", "path"),
+       "steady pushes at one speed; path follows hand.path"},
+      {"hand.speed_mm_s", NumberField{ACUS_AT(hand.speed), milli, {0.001, 10000.0}},
+       "of the hub, when steady"},
+      {"hand.travel_mm", NumberField{ACUS_AT(hand.travel), milli, {0.001, 2000.0}},
+       "how far the hub goes from first touch, when steady"},
+      {"hand.path", HandPathField{ACUS_AT(hand.path), milli, {0.0, 1e5}, {-1000.0, 2000.0}},
+       "[[time in s, travel in mm], ...] joined by straight lines; pauses and withdrawal are welcome"},
+      {"run.time_step_ms", NumberField{ACUS_AT(run.time_step), milli, {0.01, 20.0}},
+       "of the implicit integrator"},
+      {"run.solver_tolerance", NumberField{ACUS_AT(run.solver_tolerance), one, {1e-14, 0.1}},
+       "relative residual at which the conjugate gradients stop"},
+      {"run.trace_stride", IntegerField{ACUS_AT(run.trace_stride), {1.0, 1e6}},
+       "steps from one row of trace.csv to the next"},
+  };
+}
+
+#undef ACUS_AT
+#undef ACUS_CHOICE
+
+}  // namespace
+
+const std::vector<SceneKey>& scene_keys() {
+  static const std::vector<SceneKey> keys = [] {
+    std::vector<SceneKey> all;
+    for (const auto& part : {needle_keys(), tissue_keys(), contact_keys(), hand_and_run_keys()})
+      all.insert(all.end(), part.begin(), part.end());
+    return all;
+  }();
+  return keys;
+}
+
+const SceneKey* find_scene_key(const std::string& name) {
+  const auto& keys = scene_keys();
+  const auto found =
+      std::find_if(keys.begin(), keys.end(), [&](const SceneKey& key) { return key.name == name; });
+  return found == keys.end() ? nullptr : &*found;
+}
+
+std::string in_words(const Range& range) {
+  return "from " + decimal_text(range.least) + (range.below_most ? " to below " : " to ") +
+         decimal_text(range.most);
+}
+
+std::string complaint(const Range& range, double value) {
+  const bool inside = value >= range.least && (range.below_most ? value < range.most : value <= range.most);
+  if (inside) return {};  // a NaN is never inside
+  return "must be " + in_words(range) + ", but is " + decimal_text(value);
+}
+
+}  // namespace acus

@@ -1,0 +1,33 @@
+// Warped stiffness (paper Eq. 5; Mueller and Gross 2004): every element's rotation, elastic force and energy.
+//
+// With R the rotation of F = sum_i x_i g_i^T, the strain is e = sym(R^T F) - I, the stress 2 mu e + lambda tr(e) I,
+// and the force on corner i is f_i = -V R sigma g_i, which is Eq. 5's -R K (R^-1 x - x0) written without the 12x12
+// matrix. With the polar R it is the exact gradient of the energy V (mu e:e + lambda/2 tr(e)^2).
+// For nodal_pressure, lambda is -2 mu / 3 and node a adds kappa_a V_a theta_a^2 / 2 with its mean dilation
+// theta_a = sum over its elements of (V / 4) tr(e) / V_a.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "acus/base/vec.h"
+#include "acus/numeric/node_vector.h"
+#include "acus/tissue/tissue_model.h"
+
+namespace acus::tissue {
+
+struct Corotation {
+  std::vector<double> rotated_gradient;  // [tets][4 corners][node_stride] 1/m: R g_i, padded
+  std::vector<double> dilation;          // [nodes] theta_a; stays empty for linear
+  numeric::NodeVector elastic_force;     // [nodes] N, of the tissue on its nodes
+  double energy = 0.0;                   // J
+  bool finite = true;                    // false as soon as a position is not a number
+  int newton_failures = 0;               // elements that needed the slow, safe rotation
+};
+
+Corotation build_corotation(const TissueModel& model);
+
+// Evaluates all of it at `positions` (one per node, m). Inverted, flat and collapsed elements are allowed.
+void corotate_into(Corotation& out, const TissueModel& model, std::span<const Vec3> positions);
+
+}  // namespace acus::tissue

@@ -1,0 +1,28 @@
+#include "acus/tissue/stress.h"
+
+#include <cmath>
+
+#include "acus/numeric/polar.h"
+
+namespace acus::tissue {
+
+std::vector<double> von_mises(const TissueModel& model, std::span<const Vec3> positions) {
+  std::vector<double> stress(static_cast<std::size_t>(model.tets));
+  for (int e = 0; e < model.tets; ++e) {
+    const mesh::Tet& t = model.corners[e];
+    Mat3 F = Mat3::Zero();
+    for (int i = 0; i < 3; ++i) {
+      Vec3 gradient;
+      for (int c = 0; c < 3; ++c)
+        gradient[c] = model.gradient[(static_cast<std::size_t>(e / lanes) * 9 + 3 * i + c) * lanes + e % lanes];
+      F += (positions[t[i + 1]] - positions[t[0]]) * gradient.transpose();
+    }
+    const Mat3 stretch = numeric::rotation_of(F).transpose() * F;
+    Mat3 strain = 0.5 * (stretch + stretch.transpose()) - Mat3::Identity();
+    strain -= strain.trace() / 3.0 * Mat3::Identity();
+    stress[e] = 2.0 * model.shear[e] * std::sqrt(1.5) * strain.norm();
+  }
+  return stress;
+}
+
+}  // namespace acus::tissue

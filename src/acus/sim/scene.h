@@ -6,14 +6,16 @@
 
 #include "acus/base/result.h"
 #include "acus/base/vec.h"
+#include "acus/force/fracture.h"
 #include "acus/needle/needle_spec.h"
+#include "acus/tissue/element_kind.h"
 
 namespace acus {
 
-enum class NeedleModel { column };              // the paper's closed forms
-enum class Element { linear, nodal_pressure };  // the paper's, and the locking-free one
+enum class NeedleModel { column };  // the paper's closed forms
+using Element = tissue::ElementKind;
 enum class Coupling { embedded, nearest_node };
-enum class Crack { ring, slit };
+using Crack = force::Crack;
 enum class HandKind { steady, path };
 
 struct TissueScene {

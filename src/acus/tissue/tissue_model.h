@@ -8,14 +8,10 @@
 #include "acus/base/result.h"
 #include "acus/mesh/tet_mesh.h"
 #include "acus/numeric/block_matrix.h"
+#include "acus/tissue/element_kind.h"
 #include "acus/tissue/material.h"
 
 namespace acus::tissue {
-
-// linear: the paper's constant-strain tetrahedron, which locks as Poisson's ratio nears 1/2.
-// nodal_pressure: the same deviatoric response per element; the volumetric one works on the dilation averaged at
-// the nodes (Bonet and Burton 1998; Joldes, Wittek and Miller 2009), which removes the locking.
-enum class ElementKind { linear, nodal_pressure };
 
 inline constexpr int lanes = 8;  // elements handled side by side by a kernel
 
@@ -24,19 +20,20 @@ struct TissueModel {
   int nodes = 0;
   int free_nodes = 0;  // nodes 0 .. free_nodes - 1 move; the rest are held
   int tets = 0;
-  int batches = 0;     // ceil(tets / lanes)
+  int batches = 0;  // ceil(tets / lanes)
 
-  std::vector<mesh::Tet> corners;            // [tets]
-  std::vector<double> gradient;              // [batches][9][lanes] 1/m: g_1, g_2, g_3 of Shape; g_0 = -(sum)
-  std::vector<double> volume;                // [batches][lanes] m^3; 0 in padding lanes
-  std::vector<double> shear;                 // [batches][lanes] Pa, mu
-  std::vector<double> local_lambda;          // [batches][lanes] Pa, acts on the element's own dilation
-  std::vector<double> node_mass;             // [nodes] kg, lumped
-  std::vector<double> node_volume;           // [nodes] m^3, a quarter of each tetrahedron
-  std::vector<double> node_bulk_modulus;     // [nodes] Pa, volume-weighted mean; empty for linear
+  std::vector<mesh::Tet> corners;         // [tets]
+  std::vector<double> gradient;           // [batches][9][lanes] 1/m: g_1, g_2, g_3 of Shape; g_0 = -(sum)
+  std::vector<double> volume;             // [batches][lanes] m^3; 0 in padding lanes
+  std::vector<double> shear;              // [batches][lanes] Pa, mu
+  std::vector<double> local_lambda;       // [batches][lanes] Pa, acts on the element's own dilation
+  std::vector<double> node_mass;          // [nodes] kg, lumped
+  std::vector<double> node_volume;        // [nodes] m^3, a quarter of each tetrahedron
+  std::vector<double> node_bulk_modulus;  // [nodes] Pa, volume-weighted mean; empty for linear
 
-  numeric::BlockPattern pattern;             // rows: all nodes; columns: free nodes
-  std::vector<std::array<int, 16>> slot;     // [tets] entry of corner pair (i, j) at 4 i + j; -1 where not stored
+  numeric::BlockPattern pattern;  // rows: all nodes; columns: free nodes
+  std::vector<std::array<int, 16>>
+      slot;  // [tets] entry of corner pair (i, j) at 4 i + j; -1 where not stored
 };
 
 // `materials` has one entry per tetrahedron; `mesh` numbers its free nodes first. Errors: element and reason.

@@ -1,0 +1,49 @@
+// Where a point of the needle holds on to the tissue: weights of nodes (paper Eq. 8-9 and its better
+// reading).
+//
+// The same weights carry the motion of the nodes to the point and the force at the point back to the nodes,
+// so action equals reaction and the coupling makes no energy.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "acus/base/vec.h"
+#include "acus/mesh/locator.h"
+#include "acus/numeric/node_vector.h"
+
+namespace acus::coupling {
+
+// Weights of the free nodes among those that hold a point; held nodes do not move and are left out.
+struct Attachment {
+  std::vector<int> node;
+  std::vector<double> weight;  // at least 0, sum to 1 over free and held nodes
+
+  void reserve(int entries) { node.reserve(entries), weight.reserve(entries); }
+  void clear() { node.clear(), weight.clear(); }
+  bool empty() const { return node.empty(); }
+};
+
+// A tip load is spread evenly over a disc by this many points: rings of 4, 8 and 12, each point standing for
+// the same area.
+inline constexpr int disc_points = 24;
+inline constexpr int disc_capacity = 4 * disc_points;  // entries a disc can need
+
+// The point's own tetrahedron, barycentric. Nothing when it lies farther than `snap` [m] outside the mesh.
+void embed_point_into(Attachment& out, const mesh::Locator& locator, const Vec3& point, double snap,
+                      int free_nodes);
+// Mean over a disc of `radius` [m] across `axis` (unit); its points outside the mesh are dropped.
+void embed_disc_into(Attachment& out, const mesh::Locator& locator, const Vec3& centre, const Vec3& axis,
+                     double radius, int free_nodes);
+// The paper's: one node, the one nearest to the point at rest.
+void attach_to_nearest_node_into(Attachment& out, const mesh::Locator& locator, const Vec3& point,
+                                 int free_nodes);
+
+// Component along `axis` of the weighted mean of a nodal field.
+double along(const Attachment& at, const numeric::NodeVector& field, const Vec3& axis);
+double displacement_along(const Attachment& at, std::span<const Vec3> positions, std::span<const Vec3> rest,
+                          const Vec3& axis);
+// Adds `amount` along `axis`, spread by the weights, to a nodal field.
+void add_along(numeric::NodeVector& field, const Attachment& at, double amount, const Vec3& axis);
+
+}  // namespace acus::coupling

@@ -12,9 +12,11 @@ machine() {
   mkdir "$scratch/bin"
   cat >"$scratch/bin/dpkg-query" <<TEXT
 #!/bin/bash
+code=0
 for package in "\${@:3}"; do
-  if [[ "$1" == all || " $1 " == *" \$package "* ]]; then printf 'ii %s\n' "\$package"; fi
+  if [[ "$1" == all || " $1 " == *" \$package "* ]]; then printf 'ii %s\n' "\$package"; else code=1; fi
 done
+exit \$code
 TEXT
   printf '#!/bin/bash\necho "$@" >>%q\nexit %d\n' "$scratch/apt.log" "$2" >"$scratch/bin/apt-get"
   printf '#!/bin/bash\necho %d\n' "$3" >"$scratch/bin/id"

@@ -60,8 +60,9 @@ ACUS_KERNEL void multiply_into(NodeVector& y, const BlockPattern& pattern, std::
   }
 }
 
-ACUS_KERNEL void add_gram_product_into(NodeVector& y, const BlockPattern& pattern, std::span<const double> rows,
-                                       std::span<const double> weight, const NodeVector& x) {
+ACUS_KERNEL void add_gram_product_into(NodeVector& y, const BlockPattern& pattern,
+                                       std::span<const double> rows, std::span<const double> weight,
+                                       const NodeVector& x) {
   const int* start = pattern.row_start.data();
   const int* column = pattern.column.data();
   const double* b = rows.data();
@@ -70,7 +71,8 @@ ACUS_KERNEL void add_gram_product_into(NodeVector& y, const BlockPattern& patter
   const int n = pattern.rows();
   for (int a = 0; a < n; ++a) {
     Lane4 s{};
-    for (int e = start[a]; e < start[a + 1]; ++e) s += load4(b + node_stride * e) * load4(px + node_stride * column[e]);
+    for (int e = start[a]; e < start[a + 1]; ++e)
+      s += load4(b + node_stride * e) * load4(px + node_stride * column[e]);
     const double w = weight[a] * sum(s);
     for (int e = start[a]; e < start[a + 1]; ++e) {
       double* yj = py + node_stride * column[e];
@@ -89,7 +91,8 @@ bool invert_blocks(std::span<double> blocks) {
   return true;
 }
 
-ACUS_KERNEL void multiply_diagonal_into(NodeVector& y, std::span<const double> diagonal, const NodeVector& x) {
+ACUS_KERNEL void multiply_diagonal_into(NodeVector& y, std::span<const double> diagonal,
+                                        const NodeVector& x) {
   const double* d = diagonal.data();
   const double* px = x.data();
   double* py = y.data();

@@ -9,11 +9,12 @@
 
 namespace acus::numeric {
 
-// Which blocks exist. Row i holds columns column[row_start[i]] .. column[row_start[i + 1] - 1], in increasing order.
+// Which blocks exist. Row i holds columns column[row_start[i]] .. column[row_start[i + 1] - 1], in increasing
+// order.
 struct BlockPattern {
   std::vector<int> row_start;  // rows + 1 entries
   std::vector<int> column;
-  std::vector<int> diagonal;   // where in `column` each row's diagonal stands; -1 if absent
+  std::vector<int> diagonal;  // where in `column` each row's diagonal stands; -1 if absent
 
   int rows() const { return static_cast<int>(row_start.size()) - 1; }
   int entries() const { return static_cast<int>(column.size()); }
@@ -27,15 +28,18 @@ BlockPattern build_pattern(std::span<const std::array<int, 4>> groups, int rows,
 // Blocks are column-major and padded: entry (r, c) of block b stands at 12 b + 4 c + r; the padding is zero.
 inline constexpr int block_stride = 12;
 
-// y = A x for the first y.size() / node_stride rows. `values` has block_stride doubles per entry of the pattern.
-void multiply_into(NodeVector& y, const BlockPattern& pattern, std::span<const double> values, const NodeVector& x);
+// y = A x for the first y.size() / node_stride rows. `values` has block_stride doubles per entry of the
+// pattern.
+void multiply_into(NodeVector& y, const BlockPattern& pattern, std::span<const double> values,
+                   const NodeVector& x);
 
 // y += B^T diag(weight) B x, where row a of B holds one padded 3-vector per entry of the pattern
 // (node_stride doubles): the rank-one stiffness of a nodal volume.
 void add_gram_product_into(NodeVector& y, const BlockPattern& pattern, std::span<const double> rows,
                            std::span<const double> weight, const NodeVector& x);
 
-// Inverts symmetric positive definite blocks in place. Returns false when one of them is not positive definite.
+// Inverts symmetric positive definite blocks in place. Returns false when one of them is not positive
+// definite.
 bool invert_blocks(std::span<double> blocks);
 
 // y = D x for block-diagonal D, block_stride doubles per node.

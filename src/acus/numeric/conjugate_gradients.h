@@ -22,7 +22,8 @@ struct CgOutcome {
 };
 
 // Solves A x = b from the start value in x until |b - A x| <= `target` or `max_iterations`.
-// multiply(y, p) writes y = A p; precondition(z, r) writes z ~ A^-1 r with a symmetric positive definite operator.
+// multiply(y, p) writes y = A p; precondition(z, r) writes z ~ A^-1 r with a symmetric positive definite
+// operator.
 template <class Multiply, class Precondition>
 CgOutcome solve_into(NodeVector& x, const NodeVector& b, double target, int max_iterations, CgScratch& s,
                      const Multiply& multiply, const Precondition& precondition) {

@@ -7,8 +7,9 @@
 namespace acus::numeric {
 
 // The proper rotation R (det R = +1) nearest to F, i.e. the maximiser of tr(R^T F). For det F > 0 it is the
-// orthogonal factor of the polar decomposition; for inverted F the axis of least stretch is the one reflected;
-// for flat, line-like or zero F, where it is not unique, one maximiser is returned. Finite F in, finite R out.
+// orthogonal factor of the polar decomposition; for inverted F the axis of least stretch is the one
+// reflected; for flat, line-like or zero F, where it is not unique, one maximiser is returned. Finite F in,
+// finite R out.
 Mat3 rotation_of(const Mat3& F);
 
 // Writes the cofactor matrix of m (nine entries, column by column) and returns det m.
@@ -24,9 +25,10 @@ ACUS_INLINE T cofactor_into(T* c, const T* m) {
   return m[0] * c[0] + m[1] * c[1] + m[2] * c[2];
 }
 
-// One correction of Newton's iteration R <- (R + R^-T)/2 from R = F (Higham 1986), on a plain or a vector type T.
-// It converges quadratically to the polar factor of a regular F. Returns the sum of squares of the change; `det`
-// is the determinant before it. For singular F it gives no number, for inverted F a reflection: callers check.
+// One correction of Newton's iteration R <- (R + R^-T)/2 from R = F (Higham 1986), on a plain or a vector
+// type T. It converges quadratically to the polar factor of a regular F. Returns the sum of squares of the
+// change; `det` is the determinant before it. For singular F it gives no number, for inverted F a reflection:
+// callers check.
 template <class T>
 ACUS_INLINE T newton_polar_step(T* r, T& det) {
   T c[9];

@@ -17,13 +17,13 @@ using numeric::store4;
 
 // Eight elements side by side. Matrices are column by column: entry (r, c) at 3 c + r.
 struct Batch {
-  Lane8 g[9];      // gradients g_1, g_2, g_3, 1/m
-  Lane8 f[9];      // deformation gradient
-  Lane8 r[9];      // rotation
-  Lane8 q[12];     // R g_i, corner by corner, 1/m
-  Lane8 force[12]; // N, corner by corner
-  Lane8 trace;     // tr e
-  Lane8 energy;    // J
+  Lane8 g[9];       // gradients g_1, g_2, g_3, 1/m
+  Lane8 f[9];       // deformation gradient
+  Lane8 r[9];       // rotation
+  Lane8 q[12];      // R g_i, corner by corner, 1/m
+  Lane8 force[12];  // N, corner by corner
+  Lane8 trace;      // tr e
+  Lane8 energy;     // J
 };
 
 ACUS_INLINE void gather(Batch& b, const TissueModel& m, int batch, const Vec3* x) {
@@ -69,7 +69,8 @@ ACUS_INLINE int rotate(Batch& b) {
 ACUS_INLINE void to_corners(Lane8* out, const Lane8* matrix, const Lane8* v) {
   for (int i = 0; i < 3; ++i)
     for (int c = 0; c < 3; ++c)
-      out[3 * (i + 1) + c] = matrix[c] * v[3 * i] + matrix[3 + c] * v[3 * i + 1] + matrix[6 + c] * v[3 * i + 2];
+      out[3 * (i + 1) + c] =
+          matrix[c] * v[3 * i] + matrix[3 + c] * v[3 * i + 1] + matrix[6 + c] * v[3 * i + 2];
   for (int c = 0; c < 3; ++c) out[c] = -(out[3 + c] + out[6 + c] + out[9 + c]);
 }
 
@@ -78,7 +79,8 @@ ACUS_INLINE void respond(Batch& b, Lane8 volume, Lane8 mu, Lane8 lambda) {
   Lane8 stretch[9];  // R^T F
   for (int j = 0; j < 3; ++j)
     for (int i = 0; i < 3; ++i)
-      stretch[3 * j + i] = b.r[3 * i] * b.f[3 * j] + b.r[3 * i + 1] * b.f[3 * j + 1] + b.r[3 * i + 2] * b.f[3 * j + 2];
+      stretch[3 * j + i] =
+          b.r[3 * i] * b.f[3 * j] + b.r[3 * i + 1] * b.f[3 * j + 1] + b.r[3 * i + 2] * b.f[3 * j + 2];
   const Lane8 xx = stretch[0] - 1.0, yy = stretch[4] - 1.0, zz = stretch[8] - 1.0;
   const Lane8 xy = 0.5 * (stretch[1] + stretch[3]);
   const Lane8 xz = 0.5 * (stretch[2] + stretch[6]);

@@ -1,10 +1,10 @@
 // Warped stiffness (paper Eq. 5; Mueller and Gross 2004): every element's rotation, elastic force and energy.
 //
-// With R the rotation of F = sum_i x_i g_i^T, the strain is e = sym(R^T F) - I, the stress 2 mu e + lambda tr(e) I,
-// and the force on corner i is f_i = -V R sigma g_i, which is Eq. 5's -R K (R^-1 x - x0) written without the 12x12
-// matrix. With the polar R it is the exact gradient of the energy V (mu e:e + lambda/2 tr(e)^2).
-// For nodal_pressure, lambda is -2 mu / 3 and node a adds kappa_a V_a theta_a^2 / 2 with its mean dilation
-// theta_a = sum over its elements of (V / 4) tr(e) / V_a.
+// With R the rotation of F = sum_i x_i g_i^T, the strain is e = sym(R^T F) - I, the stress 2 mu e + lambda
+// tr(e) I, and the force on corner i is f_i = -V R sigma g_i, which is Eq. 5's -R K (R^-1 x - x0) written
+// without the 12x12 matrix. With the polar R it is the exact gradient of the energy V (mu e:e + lambda/2
+// tr(e)^2). For nodal_pressure, lambda is -2 mu / 3 and node a adds kappa_a V_a theta_a^2 / 2 with its mean
+// dilation theta_a = sum over its elements of (V / 4) tr(e) / V_a.
 #pragma once
 
 #include <span>

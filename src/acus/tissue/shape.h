@@ -8,7 +8,8 @@
 namespace acus::tissue {
 
 // Inside a tetrahedron u(x) = sum_i N_i(x) u_i (Eq. 1) with linear N_i, so the strain needs only the constant
-// gradients g_i = dN_i/dx: the deformation gradient is F = sum_i x_i g_i^T, and Eq. 2's B_e is made of the g_i.
+// gradients g_i = dN_i/dx: the deformation gradient is F = sum_i x_i g_i^T, and Eq. 2's B_e is made of the
+// g_i.
 struct Shape {
   std::array<Vec3, 4> gradient;  // 1/m, sum to zero
   double volume = 0.0;           // m^3

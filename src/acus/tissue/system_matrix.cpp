@@ -37,7 +37,8 @@ ACUS_KERNEL void assemble_blocks(SystemMatrix& out, const TissueModel& m, const 
       if (m.corners[e][i] >= m.free_nodes) continue;
       for (int j = 0; j < 4; ++j)
         if (const int s = slot[4 * i + j]; s >= 0)
-          add_block(&out.block[static_cast<std::size_t>(s) * block_stride], corner[i], corner[j], lambda_v, mu_v);
+          add_block(&out.block[static_cast<std::size_t>(s) * block_stride], corner[i], corner[j], lambda_v,
+                    mu_v);
     }
   }
 }
@@ -80,8 +81,8 @@ SystemMatrix build_system_matrix(const TissueModel& model) {
   return a;
 }
 
-bool assemble_into(SystemMatrix& out, const TissueModel& model, const Corotation& corotation, double mass_factor,
-                   double stiffness_factor) {
+bool assemble_into(SystemMatrix& out, const TissueModel& model, const Corotation& corotation,
+                   double mass_factor, double stiffness_factor) {
   std::fill(out.block.begin(), out.block.end(), 0.0);
   assemble_blocks(out, model, corotation, stiffness_factor);
   for (int i = 0; i < model.free_nodes; ++i) {

@@ -25,8 +25,8 @@ struct SystemMatrix {
 SystemMatrix build_system_matrix(const TissueModel& model);
 
 // K' at the configuration of `corotation`. Returns false when a diagonal block is not positive definite.
-bool assemble_into(SystemMatrix& out, const TissueModel& model, const Corotation& corotation, double mass_factor,
-                   double stiffness_factor);
+bool assemble_into(SystemMatrix& out, const TissueModel& model, const Corotation& corotation,
+                   double mass_factor, double stiffness_factor);
 
 // y = A x
 void multiply_into(numeric::NodeVector& y, const TissueModel& model, const SystemMatrix& a,

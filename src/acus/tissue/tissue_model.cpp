@@ -55,7 +55,8 @@ Result<TissueModel> build_tissue_model(const mesh::TetMesh& mesh, std::span<cons
       return element_error(e, "its volume is " + std::to_string(shape.volume) + " m^3, it must be positive");
     if (!(material.youngs_modulus > 0.0 && material.density > 0.0 && material.poisson_ratio > -1.0 &&
           material.poisson_ratio < 0.5))
-      return element_error(e, "its material needs a positive modulus and density and a Poisson ratio in (-1, 0.5)");
+      return element_error(
+          e, "its material needs a positive modulus and density and a Poisson ratio in (-1, 0.5)");
     place_element(m, e, shape, material, shape.volume);
     for (int node : t) {
       m.node_mass[node] += material.density * shape.volume / 4.0;

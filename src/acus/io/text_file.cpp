@@ -1,5 +1,6 @@
 #include "acus/io/text_file.h"
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -16,10 +17,12 @@ Result<std::string> read_text(const std::string& path, std::size_t most_bytes) {
   if (kind != fs::file_type::regular) return Error{path + ": is not a regular file that can be read"};
   std::ifstream file(path, std::ios::binary);
   if (!file) return Error{path + ": cannot be read: " + std::strerror(errno)};
-  std::string text(most_bytes + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  std::string text;
+  std::array<char, 1 << 16> part{};
+  while (text.size() <= most_bytes && file.read(part.data(), part.size()).gcount() > 0) {
+    text.append(part.data(), static_cast<std::size_t>(file.gcount()));
+  }
   if (file.bad()) return Error{path + ": cannot be read to its end: " + std::strerror(errno)};
-  text.resize(static_cast<std::size_t>(file.gcount()));
   if (text.size() > most_bytes)
     return Error{path + ": is longer than the " + std::to_string(most_bytes) + " bytes such a file may have"};
   return text;

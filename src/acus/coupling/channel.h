@@ -19,22 +19,26 @@ inline constexpr double channel_cell =
 // 2 pi G / ln(e), N/m^2 (antiplane shear; Love 1927). What lies farther out is the mesh's to resolve.
 double sleeve_stiffness(double shear_modulus);
 
+// What stays: one attachment per cell, of its middle.
 struct Channel {
-  double friction = 0.0;               // N/m, limit of the force per length
-  double stiffness = 0.0;              // N/m^2, pre-sliding, per length
-  std::vector<Attachment> attachment;  // [cells] of the cell's middle
-  std::vector<double> length;          // [cells] m, of needle inside the cell now
-  std::vector<double> elongation;      // [cells] m, pre-sliding
+  double friction = 0.0;   // N/m, limit of the force per length
+  double stiffness = 0.0;  // N/m^2, pre-sliding, per length
+  std::vector<Attachment> attachment;
+
+  int cells() const { return static_cast<int>(attachment.size()); }
+};
+
+// What moves, one entry per cell.
+struct ChannelState {
+  std::vector<double> length;      // m, of needle inside the cell
+  std::vector<double> elongation;  // m, pre-sliding
 };
 
 // Lays `inserted` [m] of needle over the cells up to rest depth `depth` [m], stretched evenly. A cell that
 // gains needle keeps its force (new length arrives unloaded), one that loses needle keeps its elongation.
 // Returns the energy set free by that, J, at least 0: it is friction's.
-double cover(Channel& channel, double depth, double inserted);
+double cover(ChannelState& state, const Channel& channel, double depth, double inserted);
 
-inline Slider slider_of(const Channel& c, int cell) {
-  const double limit = c.friction * c.length[cell];
-  return {c.stiffness * c.length[cell], c.elongation[cell], -limit, limit, false};
-}
+Slider slider_of(const Channel& channel, const ChannelState& state, int cell);
 
 }  // namespace acus::coupling

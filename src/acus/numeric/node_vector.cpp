@@ -6,7 +6,7 @@
 
 namespace acus::numeric {
 
-ACUS_KERNEL double dot(const NodeVector& a, const NodeVector& b) {
+ACUS_KERNEL double dot(std::span<const double> a, std::span<const double> b) {
   assert(a.size() == b.size());
   const double* pa = a.data();
   const double* pb = b.data();

@@ -8,7 +8,7 @@ namespace acus {
 enum class Stage { free, contact, buckled, inserted, inserted_buckled, withdrawn };
 enum class EventKind { contact, buckling, straightening, puncture, second_buckling, layer, exit };
 // A step that went wrong says so here; the state is then no longer advanced.
-enum class Health { good, solver_broke_down, not_finite, needle_folded };
+enum class Health { good, solver_broke_down, not_finite, needle_folded, hub_at_entry };
 
 struct Frame {
   double time = 0.0;             // s

@@ -9,6 +9,7 @@
 #include "acus/mesh/tet_mesh.h"
 #include "acus/sim/frame.h"
 #include "acus/sim/scene.h"
+#include "acus/sim/step_probe.h"
 
 namespace acus {
 
@@ -21,14 +22,17 @@ class Simulation {
   // Advances one time step; the hub ends it at `hand_travel` [m]. Allocates nothing.
   const Frame& step(double hand_travel);
 
+  // Tells `probe` when each part of a step is done; for benchmarks.
+  void set_probe(const StepProbe& probe);
+
   const Scene& scene() const;
   const Frame& frame() const;
   std::span<const Event> events() const;  // in order of time
 
-  const mesh::TetMesh& tissue() const;        // at rest, ordered for locality; empty when rigid
-  std::span<const Vec3> positions() const;    // m, one per node, now
-  std::span<const Vec3> velocities() const;   // m/s
-  std::span<const double> von_mises() const;  // Pa, one per tetrahedron, now (computed on call)
+  const mesh::TetMesh& tissue() const;      // at rest, ordered for locality; empty when rigid
+  std::span<const Vec3> positions() const;  // m, one per node, now
+  std::vector<Vec3> velocities() const;     // m/s (computed on call)
+  std::vector<double> von_mises() const;    // Pa, one per tetrahedron, now (computed on call)
   // The centre line of the needle now, hub to tip, m: `points` points evenly along its arc.
   std::vector<Vec3> needle_line(int points) const;
   Vec3 entry() const;      // m, undeformed

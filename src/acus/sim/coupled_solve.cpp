@@ -1,0 +1,200 @@
+#include "acus/sim/coupled_solve.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "acus/numeric/root.h"
+
+namespace acus {
+namespace {
+
+using coupling::Grip;
+using numeric::NodeVector;
+
+constexpr int max_passes = 12;                // branch corrections; two or three are usual
+constexpr int max_iterations = 4000;          // of one conjugate-gradient solve
+constexpr double influence_tolerance = 1e-3;  // of y: it only carries small corrections of the rate
+
+// y = A x + h sum over sticking points of rate_j h W_j^T a (W_j a . x): their springs act within the step.
+void multiply_with_sticks(NodeVector& y, const Model& m, const Scratch& w, const NodeVector& x) {
+  tissue::multiply_into(y, m.tissue, w.matrix, x);
+  const double h = m.scene.run.time_step;
+  for (const HeldPoint& p : w.held) {
+    if (p.grip != Grip::stick) continue;
+    const double rate = coupling::force_on(p.slider, p.grip).rate * h * h;
+    coupling::add_along(y, *p.at, rate * coupling::along(*p.at, x, m.path.direction), m.path.direction);
+  }
+}
+
+numeric::CgOutcome solve_tissue(NodeVector& x, const NodeVector& b, double target, const Model& m,
+                                Scratch& w) {
+  return numeric::solve_into(
+      x, b, target, max_iterations, w.cg,
+      [&](NodeVector& y, const NodeVector& p) { multiply_with_sticks(y, m, w, p); },
+      [&](NodeVector& z, const NodeVector& r) {
+        numeric::multiply_diagonal_into(z, w.matrix.inverse_diagonal, r);
+      });
+}
+
+numeric::CgOutcome solve_influence(const Model& m, State& s, Scratch& w) {
+  const double norm = std::sqrt(numeric::dot(w.stick_load, w.stick_load));
+  if (norm == 0.0) {  // everything slips: the tissue does not feel the needle's rate
+    std::fill(s.influence.begin(), s.influence.end(), 0.0);
+    return {};
+  }
+  return solve_tissue(s.influence, w.stick_load, influence_tolerance * norm, m, w);
+}
+
+// What the held points do to the needle, as a function of its rate w about `guess`:
+// constant + rate * w, tissue included through the influence y.
+struct Reaction {
+  double constant = 0.0;  // N
+  double rate = 0.0;      // N s/m
+};
+
+Reaction gather_reaction(const Model& m, const State& s, const Scratch& w, double guess) {
+  const double h = m.scene.run.time_step;
+  Reaction r;
+  for (const HeldPoint& p : w.held) {
+    const coupling::LinearForce f = coupling::force_on(p.slider, p.grip);
+    r.constant += f.constant;
+    if (f.rate == 0.0) continue;
+    const double tissue = coupling::along(*p.at, s.velocity, m.path.direction);
+    const double answer = coupling::along(*p.at, s.influence, m.path.direction);
+    r.constant += f.rate * h * (guess * answer - tissue);
+    r.rate += f.rate * h * (1.0 - answer);
+  }
+  return r;
+}
+
+// The needle's rate at which column, inertia, reaction and configurational force balance.
+double balanced_rate(const Model& m, const State& s, const Reaction& r, double hub_travel, double free_length,
+                     double configurational_force, double guess) {
+  const double h = m.scene.run.time_step;
+  const auto imbalance = [&](double rate) {
+    const double shortening = hub_travel - s.tip_position - h * rate;
+    return m.needle_mass * (rate - s.tip_rate) / h + r.constant + r.rate * rate + configurational_force -
+           needle::column_response(m.column, free_length, shortening).load;
+  };
+  double width = 1e-5;  // m/s, grows until it brackets the root: the imbalance rises with the rate
+  double low = guess, high = guess;
+  while (imbalance(low) > 0.0) low -= (width *= 4.0);
+  while (imbalance(high) < 0.0) high += (width *= 4.0);
+  constexpr double resolution = 1e-12;  // m/s
+  return numeric::bracketed_root(imbalance, low, high, resolution);
+}
+
+// Every point's branch for the present rates. Returns whether any changed.
+bool correct_grips(const Model& m, const State& s, Scratch& w, double rate) {
+  bool changed = false;
+  for (HeldPoint& p : w.held) {
+    const Grip grip = coupling::grip_after(p.slider, m.scene.run.time_step * (rate - tissue_rate(m, s, p)));
+    changed = changed || grip != p.grip;
+    p.grip = grip;
+  }
+  return changed;
+}
+
+void load_right_hand_side(const Model& m, Scratch& w, double rate) {
+  const double h = m.scene.run.time_step;
+  w.right_hand_side = w.momentum;
+  std::fill(w.stick_load.begin(), w.stick_load.end(), 0.0);
+  for (const HeldPoint& p : w.held) {
+    const coupling::LinearForce f = coupling::force_on(p.slider, p.grip);
+    coupling::add_along(w.right_hand_side, *p.at, h * (f.constant + f.rate * h * rate), m.path.direction);
+    if (f.rate != 0.0) coupling::add_along(w.stick_load, *p.at, h * h * f.rate, m.path.direction);
+  }
+}
+
+// How far to go from (velocity_tried, rate_before) towards (velocity, rate): the root in (0, 1] of the incremental
+// potential's slope, which rises along the way; 1 when it is still falling there.
+double line_search(const Model& m, const State& s, Scratch& w, double hub_travel, double free_length,
+                   double configurational_force, double rate_before, double rate) {
+  const double h = m.scene.run.time_step;
+  for (HeldPoint& p : w.held) {
+    p.rate_before = coupling::along(*p.at, w.velocity_tried, m.path.direction);
+    p.rate_change = tissue_rate(m, s, p) - p.rate_before;
+  }
+  NodeVector& change = w.right_hand_side;
+  change = s.velocity;
+  numeric::add_scaled_into(change, -1.0, w.velocity_tried);
+  tissue::multiply_into(w.cg.product, m.tissue, w.matrix, w.velocity_tried);
+  const double slope_at_start = numeric::dot(change, w.cg.product) - numeric::dot(change, w.momentum);
+  tissue::multiply_into(w.cg.product, m.tissue, w.matrix, change);
+  const double curvature = numeric::dot(change, w.cg.product);
+  const double rate_change = rate - rate_before;
+  const auto slope = [&](double t) {
+    const double r = rate_before + t * rate_change;
+    double sum = slope_at_start + t * curvature;
+    for (const HeldPoint& p : w.held) {
+      const double sliding = h * (r - p.rate_before - t * p.rate_change);
+      sum += h * coupling::advance(p.slider, sliding).force * (rate_change - p.rate_change);
+    }
+    const double load =
+        needle::column_response(m.column, free_length, hub_travel - s.tip_position - h * r).load;
+    return sum + rate_change * (m.needle_mass * (r - s.tip_rate) + h * (configurational_force - load));
+  };
+  if (slope(1.0) <= 0.0 || slope(0.0) >= 0.0) return 1.0;
+  constexpr double resolution = 1e-9;
+  return numeric::bracketed_root(slope, 0.0, 1.0, resolution);
+}
+
+}  // namespace
+
+Scratch build_scratch(const Model& m) {
+  Scratch w;
+  if (m.rigid()) return w;
+  w.corotation = tissue::build_corotation(m.tissue);
+  w.matrix = tissue::build_system_matrix(m.tissue);
+  w.cg.resize(m.tissue.free_nodes);
+  const std::size_t size = static_cast<std::size_t>(m.tissue.free_nodes) * numeric::node_stride;
+  for (NodeVector* v : {&w.momentum, &w.right_hand_side, &w.stick_load, &w.velocity_before, &w.velocity_tried})
+    v->assign(size, 0.0);
+  w.held.reserve(static_cast<std::size_t>(m.channel.cells()) + 1);
+  return w;
+}
+
+double tissue_rate(const Model& m, const State& s, const HeldPoint& point) {
+  return coupling::along(*point.at, s.velocity, m.path.direction);
+}
+
+CoupledOutcome solve_coupled(const Model& m, State& s, Scratch& w, double hub_travel, double free_length,
+                             double configurational_force) {
+  CoupledOutcome outcome;
+  double rate = s.tip_rate;
+  correct_grips(m, s, w, rate);
+  for (int pass = 0; pass < max_passes; ++pass) {
+    w.velocity_tried = s.velocity;
+    load_right_hand_side(m, w, rate);
+    const double norm = std::sqrt(numeric::dot(w.right_hand_side, w.right_hand_side));
+    const double target = m.scene.run.solver_tolerance * norm;
+    const numeric::CgOutcome solve = solve_tissue(s.velocity, w.right_hand_side, target, m, w);
+    const numeric::CgOutcome answer = solve_influence(m, s, w);
+    outcome.iterations += solve.iterations + answer.iterations;
+    outcome.residual = norm > 0.0 ? solve.residual_norm / norm : 0.0;
+    outcome.broke_down = solve.broke_down || answer.broke_down || solve.iterations == max_iterations;
+    if (outcome.broke_down) return outcome;
+
+    const double guess = rate;
+    rate = balanced_rate(m, s, gather_reaction(m, s, w, guess), hub_travel, free_length,
+                         configurational_force, guess);
+    numeric::add_scaled_into(s.velocity, rate - guess, s.influence);
+    if (correct_grips(m, s, w, rate)) {
+      const double t =
+          line_search(m, s, w, hub_travel, free_length, configurational_force, guess, rate);
+      if (t < 1.0) {
+        numeric::scale_and_add_into(s.velocity, t, w.velocity_tried);
+        numeric::add_scaled_into(s.velocity, -t, w.velocity_tried);
+        rate = guess + t * (rate - guess);
+        correct_grips(m, s, w, rate);
+      }
+      continue;
+    }
+    // Correcting the rate through an inexact y leaves this much of a residual.
+    if (std::abs(rate - guess) * answer.residual_norm <= target) break;
+  }
+  s.tip_rate = rate;
+  return outcome;
+}
+
+}  // namespace acus

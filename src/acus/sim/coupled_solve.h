@@ -1,0 +1,57 @@
+// One implicit step of needle and tissue together.
+//
+// Unknowns: the velocities v of the tissue and the one rate w of the needle along its axis. With P the
+// column's force at the shortening X1 - z0 - h w and f_j the sliders between needle and tissue (tip contact,
+// friction),
+//   A v = M v0 + h f_el + h sum_j f_j(w - W_j v) W_j^T a,
+//   m (w - w0) / h = P(X1 - z0 - h w) - sum_j f_j(w - W_j v) - Q,
+// where W_j are the weights of attachment j, a the axis and Q the configurational force at the entry. On its
+// branch every f_j is linear, so v = v_0 + w y with y the tissue's answer to a unit rate, and w is the root
+// of one monotone scalar equation: nothing lags, nothing chatters at the buckling load however stiff the
+// steel. Branches are corrected and the two solves repeated until they hold (a semismooth Newton method).
+#pragma once
+
+#include "acus/coupling/slider.h"
+#include "acus/numeric/conjugate_gradients.h"
+#include "acus/sim/state.h"
+
+namespace acus {
+
+// One attachment that takes part in a step.
+struct HeldPoint {
+  coupling::Slider slider;
+  const coupling::Attachment* at = nullptr;
+  int cell = -1;  // of the channel; -1 for the tip
+  coupling::Grip grip = coupling::Grip::stick;
+  double rate_before = 0.0;  // m/s, of the tissue at the start of a line search
+  double rate_change = 0.0;  // m/s, over its whole step
+};
+
+struct Scratch {
+  tissue::Corotation corotation;  // at the present positions
+  tissue::SystemMatrix matrix;
+  numeric::CgScratch cg;
+  numeric::NodeVector momentum;  // M v0 + h f_el + impulses that do not depend on the step
+  numeric::NodeVector right_hand_side;
+  numeric::NodeVector stick_load;  // answer wanted for a unit rate of the needle
+  numeric::NodeVector velocity_before;  // at the start of the step
+  numeric::NodeVector velocity_tried;   // at the start of a line search
+  std::vector<HeldPoint> held;  // the tip first
+};
+Scratch build_scratch(const Model& model);
+
+struct CoupledOutcome {
+  int iterations = 0;
+  double residual = 0.0;  // |b - A v| / |b|, by recursion
+  bool broke_down = false;
+};
+
+// Advances state.velocity, influence and tip_rate. `scratch` holds the assembled matrix, the momentum and the
+// held points; the hub ends the step at `hub_travel`.
+CoupledOutcome solve_coupled(const Model& model, State& state, Scratch& scratch, double hub_travel,
+                             double free_length, double configurational_force);
+
+// Tissue's velocity along the axis at a held point.
+double tissue_rate(const Model& model, const State& state, const HeldPoint& point);
+
+}  // namespace acus

@@ -1,0 +1,123 @@
+#include "acus/sim/model.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "acus/mesh/block.h"
+#include "acus/mesh/order.h"
+#include "acus/mesh/refine.h"
+
+namespace acus {
+namespace {
+
+// Renumbers so that held nodes come last and the rest keep their order; returns how many are free.
+int free_nodes_first(mesh::TetMesh& mesh, const std::vector<bool>& held) {
+  std::vector<int> order(mesh.nodes.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto first_held = std::stable_partition(order.begin(), order.end(), [&](int i) { return !held[i]; });
+  std::vector<Vec3> nodes(mesh.nodes.size());
+  std::vector<int> new_index(mesh.nodes.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    nodes[i] = mesh.nodes[order[i]];
+    new_index[order[i]] = static_cast<int>(i);
+  }
+  mesh.nodes = std::move(nodes);
+  for (mesh::Tet& t : mesh.tets)
+    for (int& node : t) node = new_index[node];
+  return static_cast<int>(first_held - order.begin());
+}
+
+// The nodes in the far part of the mesh along `direction`: the share `fraction` of its extent.
+std::vector<bool> far_nodes(const mesh::TetMesh& mesh, const Vec3& direction, double fraction) {
+  double nearest = direction.dot(mesh.nodes.front());
+  double farthest = nearest;
+  for (const Vec3& x : mesh.nodes) {
+    nearest = std::min(nearest, direction.dot(x));
+    farthest = std::max(farthest, direction.dot(x));
+  }
+  constexpr double rounding = 1e-9;  // of the extent: a flat bottom counts as one plane
+  const double from = farthest - (fraction + rounding) * (farthest - nearest);
+  std::vector<bool> far;
+  for (const Vec3& x : mesh.nodes) far.push_back(direction.dot(x) >= from);
+  return far;
+}
+
+Result<mesh::TetMesh> tissue_mesh(Model& m, const mesh::TetMesh* given) {
+  const TissueScene& t = m.scene.tissue;
+  if (!given) {
+    m.path = {Vec3(0.0, 0.0, t.size.z()), Vec3(0.0, 0.0, -1.0), t.size.z()};
+    return mesh::build_graded_block(t.size, t.tetrahedra);
+  }
+  const auto path = mesh::find_path(*given, t.target, t.direction);
+  if (!path) return Error{path.error().sentence};
+  m.path = *path;
+  // Edges along the path as fine as the contact, growing away from it.
+  constexpr double grading = 0.5;
+  return mesh::refined_along_path(*given, m.path.entry, m.path.entry + m.path.length * m.path.direction,
+                                  m.scene.contact.contact_radius, grading, t.tetrahedra);
+}
+
+void build_channel(Model& m) {
+  const ContactScene& c = m.scene.contact;
+  m.channel.friction = c.friction;
+  m.channel.stiffness = coupling::sleeve_stiffness(m.tissue.shear.front());
+  const int cells = static_cast<int>(m.path.length / coupling::channel_cell) + 1;
+  m.channel.attachment.resize(cells);
+  for (int cell = 0; cell < cells; ++cell) {
+    const double depth = std::min((cell + 0.5) * coupling::channel_cell, m.path.length);
+    const Vec3 point = m.path.entry + depth * m.path.direction;
+    coupling::Attachment& at = m.channel.attachment[cell];
+    if (c.coupling == Coupling::nearest_node)
+      coupling::attach_to_nearest_node_into(at, *m.locator, point, m.tissue.free_nodes);
+    else
+      coupling::embed_point_into(at, *m.locator, point, c.contact_radius, m.tissue.free_nodes);
+  }
+}
+
+}  // namespace
+
+void attach_tip_into(coupling::Attachment& out, const Model& m, double depth) {
+  const ContactScene& c = m.scene.contact;
+  const Vec3 point = m.path.entry + depth * m.path.direction;
+  if (c.coupling == Coupling::nearest_node)
+    coupling::attach_to_nearest_node_into(out, *m.locator, point, m.tissue.free_nodes);
+  else
+    coupling::embed_disc_into(out, *m.locator, point, m.path.direction, c.contact_radius,
+                              m.tissue.free_nodes);
+}
+
+Result<Model> build_model(const Scene& scene, const mesh::TetMesh* mesh) {
+  auto valid = validated(scene);
+  if (!valid) return valid.error();
+  Model m;
+  m.scene = *valid;
+  m.column = needle::build_column(scene.needle);
+  m.needle_mass = needle::mass(scene.needle);
+  m.cutting_force =
+      force::cutting_force(scene.contact.fracture_toughness, scene.contact.crack, scene.needle.radius);
+  if (m.rigid()) {
+    m.path = {Vec3::Zero(), Vec3(0.0, 0.0, -1.0), 0.0};
+    return m;
+  }
+  auto built = tissue_mesh(m, mesh);
+  if (!built) return built.error();
+  m.mesh = mesh::ordered_for_locality(*built);
+  const double held_fraction = mesh ? scene.tissue.fixed_fraction : 0.0;
+  const int free_nodes = free_nodes_first(m.mesh, far_nodes(m.mesh, m.path.direction, held_fraction));
+  const TissueScene& t = scene.tissue;
+  const std::vector<tissue::Material> materials(m.mesh.tets.size(),
+                                                {t.youngs_modulus, t.poisson_ratio, t.density});
+  auto tissue = tissue::build_tissue_model(m.mesh, materials, t.element, free_nodes);
+  if (!tissue) return tissue.error();
+  m.tissue = std::move(*tissue);
+  m.damping = {t.damping_mass, t.damping_stiffness};
+  m.factors = tissue::step_factors(scene.run.time_step, m.damping);
+  m.locator.emplace(m.mesh);
+  attach_tip_into(m.entry, m, 0.0);
+  if (m.entry.empty())
+    return Error{"tissue: the entry lies in the part that is held fixed; choose another target"};
+  build_channel(m);
+  return m;
+}
+
+}  // namespace acus

@@ -1,0 +1,108 @@
+#include "acus/sim/simulation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "acus/base/hash.h"
+#include "acus/sim/step.h"
+#include "acus/tissue/stress.h"
+
+namespace acus {
+
+struct Simulation::Parts {
+  Model model;
+  State state;
+  Scratch scratch;
+  Frame frame;
+  std::vector<Event> events;
+  StepProbe probe;
+};
+
+Simulation::Simulation(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+Simulation::~Simulation() = default;
+
+Result<Simulation> Simulation::build(const Scene& scene, const mesh::TetMesh* mesh) {
+  auto model = build_model(scene, mesh);
+  if (!model) return model.error();
+  auto parts = std::make_unique<Parts>();
+  parts->model = std::move(*model);
+  parts->state = initial_state(parts->model);
+  parts->scratch = build_scratch(parts->model);
+  if (!parts->model.rigid())
+    tissue::corotate_into(parts->scratch.corotation, parts->model.tissue, parts->state.position);
+  parts->frame.free_length = scene.needle.length;
+  parts->frame.critical_load =
+      parts->model.column.critical_load_times_length_squared / (scene.needle.length * scene.needle.length);
+  constexpr std::size_t most_events = 4096;  // a hand cannot cause more; a step must not allocate
+  parts->events.reserve(most_events);
+  return Simulation(std::move(parts));
+}
+
+const Frame& Simulation::step(double hand_travel) {
+  Parts& p = *parts_;
+  if (p.frame.health != Health::good) return p.frame;
+  if (std::isfinite(hand_travel))
+    advance(p.model, p.state, p.scratch, hand_travel, p.frame, p.events, p.probe);
+  else
+    p.frame.health = Health::not_finite;
+  return p.frame;
+}
+
+void Simulation::set_probe(const StepProbe& probe) { parts_->probe = probe; }
+
+const Scene& Simulation::scene() const { return parts_->model.scene; }
+const Frame& Simulation::frame() const { return parts_->frame; }
+std::span<const Event> Simulation::events() const { return parts_->events; }
+const mesh::TetMesh& Simulation::tissue() const { return parts_->model.mesh; }
+std::span<const Vec3> Simulation::positions() const { return parts_->state.position; }
+Vec3 Simulation::entry() const { return parts_->model.path.entry; }
+Vec3 Simulation::direction() const { return parts_->model.path.direction; }
+
+std::vector<Vec3> Simulation::velocities() const {
+  const Parts& p = *parts_;
+  std::vector<Vec3> v(p.state.position.size(), Vec3::Zero());
+  for (int i = 0; i < p.model.tissue.free_nodes; ++i) v[i] = numeric::at(p.state.velocity, i);
+  return v;
+}
+
+std::vector<double> Simulation::von_mises() const {
+  const Parts& p = *parts_;
+  if (p.model.rigid()) return {};
+  return tissue::von_mises(p.model.tissue, p.state.position);
+}
+
+std::vector<Vec3> Simulation::needle_line(int points) const {
+  const Parts& p = *parts_;
+  const NeedlePlace place = place_needle(p.model, p.state);
+  const double length = p.model.scene.needle.length;
+  const Vec3 along = direction();
+  // The bow lies in one plane through the axis; for a needle along z it is the x-z plane.
+  const Vec3 sideways =
+      along.cross(Vec3::UnitY()).norm() > 0.5 ? along.cross(Vec3::UnitY()).normalized() : Vec3::UnitX();
+  const int outside = std::max(2, static_cast<int>(std::lround(points * place.free_length / length)));
+  const auto bow = needle::column_line(p.model.column, place.free_length, place.shortening, outside);
+  const Vec3 hub = entry() + (p.state.hub_travel - length) * along;
+  std::vector<Vec3> line;
+  for (const auto& point : bow) line.push_back(hub + point.axial * along + point.lateral * sideways);
+  const Vec3 from = line.back();
+  const Vec3 tip = entry() + p.state.tip_position * along;
+  const int inside = points - outside;
+  for (int i = 1; i <= inside; ++i) line.push_back(from + (tip - from) * (static_cast<double>(i) / inside));
+  return line;
+}
+
+std::uint64_t Simulation::state_hash() const {
+  const State& s = parts_->state;
+  std::uint64_t hash = hash_seed;
+  for (const Vec3& x : s.position) hash = hash_of({x.data(), 3}, hash);
+  hash = hash_of(s.velocity, hash);
+  hash = hash_of(s.channel.length, hash);
+  hash = hash_of(s.channel.elongation, hash);
+  const double needle[] = {s.time,     s.hub_travel,    s.tip_position,
+                           s.tip_rate, s.channel_depth, s.tip_elongation};
+  return hash_of(needle, hash);
+}
+
+}  // namespace acus

@@ -1,0 +1,46 @@
+// State: what a step advances. Each array names its one writer.
+#pragma once
+
+#include <vector>
+
+#include "acus/force/energy_force.h"
+#include "acus/sim/frame.h"
+#include "acus/sim/model.h"
+
+namespace acus {
+
+struct State {
+  double time = 0.0;              // s
+  std::vector<Vec3> position;     // m, [nodes]; advance
+  numeric::NodeVector velocity;   // m/s, [free nodes]; solve_coupled
+  numeric::NodeVector influence;  // m/s of the tissue per m/s of the needle, [free nodes]; solve_coupled
+
+  double hub_travel = 0.0;    // m, along the axis, 0 where the tip touches the tissue at rest
+  double tip_position = 0.0;  // m, along the axis below the undeformed entry
+  double tip_rate = 0.0;      // m/s
+
+  bool punctured = false;
+  bool through = false;         // the channel has come out at the far side
+  double channel_depth = 0.0;   // m, of the cut, at rest
+  double tip_elongation = 0.0;  // m, of the contact spring; negative: the gap to the channel's end
+  coupling::Attachment tip;     // at the channel's end
+  coupling::ChannelState channel;
+
+  bool buckled = false;
+  force::Ledger ledger;
+  force::EnergyForce energy_force;
+};
+
+// The needle's own geometry, from the state.
+struct NeedlePlace {
+  double surface = 0.0;          // m, the entry's present position along the axis
+  double inserted_length = 0.0;  // m, inside tissue
+  double free_length = 0.0;      // m, between hub and entry
+  double covered_depth = 0.0;    // m, rest depth of the channel that the shaft fills
+  double shortening = 0.0;       // m, of the distance between the ends of the free part
+};
+NeedlePlace place_needle(const Model& model, const State& state);
+
+State initial_state(const Model& model);
+
+}  // namespace acus

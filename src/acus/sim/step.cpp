@@ -1,0 +1,235 @@
+#include "acus/sim/step.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "acus/needle/buckling.h"
+#include "acus/sim/stage.h"
+
+namespace acus {
+namespace {
+
+// What the end of a step must know of its beginning.
+struct Before {
+  NeedlePlace place;
+  needle::ColumnResponse column;
+  double hub_travel = 0.0;     // m
+  double tip_rate = 0.0;       // m/s
+  double tissue_energy = 0.0;  // J
+  double elastic_work = 0.0;   // J, of the forces at the beginning over the step's displacement
+
+  // Q, against the needle and into the tissue at the entry: sliding in bends the free part further. N
+  double configurational_force(const Model& m) const {
+    return place.free_length < m.scene.needle.length ? -column.configurational_force : 0.0;
+  }
+};
+
+Before remember(const Model& m, const State& s, const Scratch& w) {
+  Before before;
+  before.place = place_needle(m, s);
+  before.column = needle::column_response(m.column, before.place.free_length, before.place.shortening);
+  before.hub_travel = s.hub_travel;
+  before.tip_rate = s.tip_rate;
+  before.tissue_energy = w.corotation.energy;
+  return before;
+}
+
+double tip_limit(const Model& m, const State& s) {
+  if (s.through) return 0.0;
+  return s.punctured ? m.cutting_force : m.scene.contact.rupture_force;
+}
+
+// The needle over its channel, and everything that can hold it there.
+void touch(const Model& m, State& s, Scratch& w, const NeedlePlace& place) {
+  s.ledger.work_friction += coupling::cover(s.channel, m.channel, place.covered_depth, place.inserted_length);
+  w.held.clear();
+  const double stiffness = s.through ? 0.0 : m.scene.contact.stiffness;
+  w.held.push_back({{stiffness, s.tip_elongation, 0.0, tip_limit(m, s), true}, &s.tip, -1});
+  for (int cell = 0; cell < m.channel.cells(); ++cell)
+    if (s.channel.length[cell] > 0.0)
+      w.held.push_back({coupling::slider_of(m.channel, s.channel, cell), &m.channel.attachment[cell], cell});
+}
+
+bool assemble(const Model& m, const State& s, Scratch& w, double configurational_force) {
+  const double h = m.scene.run.time_step;
+  tissue::momentum_into(w.momentum, m.tissue, s.velocity, w.corotation.elastic_force, h);
+  coupling::add_along(w.momentum, m.entry, h * configurational_force, m.path.direction);
+  return tissue::assemble_into(w.matrix, m.tissue, w.corotation, m.factors.mass, m.factors.stiffness);
+}
+
+// Carries out the sliders' steps and books what they spent. Returns the tip's.
+coupling::SliderStep slide(const Model& m, State& s, const Scratch& w) {
+  const double h = m.scene.run.time_step;
+  coupling::SliderStep tip;
+  for (const HeldPoint& p : w.held) {
+    const coupling::SliderStep step = coupling::advance(p.slider, h * (s.tip_rate - tissue_rate(m, s, p)));
+    s.ledger.work_numerical += step.numerical;
+    if (p.cell < 0) {
+      s.tip_elongation = step.elongation;
+      s.ledger.work_cutting += step.dissipated;
+      tip = step;
+    } else {
+      s.channel.elongation[p.cell] = step.elongation;
+      s.ledger.work_friction += step.dissipated;
+    }
+  }
+  return tip;
+}
+
+double contact_energy(const Model& m, const State& s) {
+  double energy = 0.0;
+  if (!s.through && s.tip_elongation > 0.0)
+    energy = 0.5 * m.scene.contact.stiffness * s.tip_elongation * s.tip_elongation;
+  for (int cell = 0; cell < m.channel.cells(); ++cell)
+    energy += 0.5 * m.channel.stiffness * s.channel.length[cell] * s.channel.elongation[cell] *
+              s.channel.elongation[cell];
+  return energy;
+}
+
+// The cut goes on to where the tip has come: the rest depth l with l + u(l) = tip - squeeze of the contact
+// spring. Returns whether it has come out at the far side.
+bool cut(const Model& m, State& s, double slip) {
+  if (slip <= 0.0 || s.through) return false;
+  const double from = s.channel_depth;
+  const auto present = [&](double depth) {
+    return depth + coupling::displacement_along(s.tip, s.position, m.mesh.nodes, m.path.direction);
+  };
+  if (m.scene.contact.coupling == Coupling::nearest_node) {
+    s.channel_depth = from + slip;
+  } else {
+    const double wanted = s.tip_position - s.tip_elongation;
+    const double present_from = present(from);
+    attach_tip_into(s.tip, m, std::min(from + slip, m.path.length));
+    const double present_try = present(from + slip);
+    // Stretch of the path under the tip; bounded, so that a crumpled element cannot throw the cut far ahead.
+    const double stretch = std::clamp((present_try - present_from) / slip, 0.2, 5.0);
+    s.channel_depth = from + std::clamp(slip + (wanted - present_try) / stretch, 0.0, 5.0 * slip);
+  }
+  if (s.channel_depth >= m.path.length) {
+    s.through = true;
+    s.channel_depth = m.path.length;
+    s.ledger.work_numerical += 0.5 * m.scene.contact.stiffness * s.tip_elongation * s.tip_elongation;
+    s.tip_elongation = 0.0;  // the contact spring lets go
+  }
+  attach_tip_into(s.tip, m, s.channel_depth);
+  return s.through;
+}
+
+// Tissue's lines of the ledger, exact identities of linearly implicit Euler (motion.h): with K' frozen the
+// elastic energy is quadratic, so its change is -f_el . dx + dx . K' dx / 2, and what the new rotations
+// change is booked too.
+void account_tissue(const Model& m, State& s, Scratch& w, const Before& before) {
+  const double h = m.scene.run.time_step;
+  tissue::multiply_into(w.cg.product, m.tissue, w.matrix, s.velocity);
+  const double vmv = tissue::mass_product(m.tissue, s.velocity);
+  const double vkv = (numeric::dot(s.velocity, w.cg.product) - m.factors.mass * vmv) / m.factors.stiffness;
+  numeric::add_scaled_into(w.velocity_before, -1.0, s.velocity);
+  const double frozen_energy = before.tissue_energy - before.elastic_work + 0.5 * h * h * vkv;
+  s.ledger.work_damping += h * (m.damping.mass * vmv + m.damping.stiffness * vkv);
+  s.ledger.work_numerical += 0.5 * tissue::mass_product(m.tissue, w.velocity_before) + 0.5 * h * h * vkv +
+                             (frozen_energy - w.corotation.energy);
+  s.ledger.energy_tissue = w.corotation.energy;
+  s.ledger.energy_contact = contact_energy(m, s);
+  s.ledger.energy_kinetic = 0.5 * vmv + 0.5 * m.needle_mass * s.tip_rate * s.tip_rate;
+  // The entry's force on a free part that shortens while it holds the shortening: energy of the bow.
+  const double gone_in = h * (s.tip_rate - coupling::along(m.entry, s.velocity, m.path.direction));
+  s.ledger.work_numerical += before.configurational_force(m) * gone_in;
+}
+
+// Needle's lines: the hand's force times its travel, less what the tip took on, bends and compresses the free
+// part.
+void account_needle(const Model& m, State& s, const Before& before, double hand_force, double needle_energy) {
+  const double hub_step = s.hub_travel - before.hub_travel;
+  const double tip_step = m.scene.run.time_step * s.tip_rate;
+  const double rate_change = s.tip_rate - before.tip_rate;
+  s.ledger.work_hand += hand_force * hub_step;
+  s.ledger.work_numerical += hand_force * (hub_step - tip_step) - (needle_energy - before.column.energy) +
+                             0.5 * m.needle_mass * rate_change * rate_change;
+  s.ledger.energy_needle = needle_energy;
+}
+
+Health health_of(const State& s, const needle::ColumnResponse& column, const NeedlePlace& place,
+                 double radius) {
+  if (!std::isfinite(s.tip_position) || !std::isfinite(force::accounted(s.ledger))) return Health::not_finite;
+  if (column.folded) return Health::needle_folded;
+  constexpr double shortest_column = 10.0;  // radii
+  return place.free_length < shortest_column * radius ? Health::hub_at_entry : Health::good;
+}
+
+// Needle and tissue to the end of the step. Returns whether the solve held.
+bool move_together(const Model& m, State& s, Scratch& w, double hub_travel, Before& before, Frame& frame,
+                   const StepProbe& probe) {
+  const double h = m.scene.run.time_step;
+  touch(m, s, w, before.place);
+  probe(StepPart::touch);
+  const double configurational = before.configurational_force(m);
+  if (!assemble(m, s, w, configurational)) return false;
+  probe(StepPart::assembly);
+  w.velocity_before = s.velocity;
+  const CoupledOutcome solved = solve_coupled(m, s, w, hub_travel, before.place.free_length, configurational);
+  if (solved.broke_down) return false;
+  frame.solver_iterations = solved.iterations;
+  probe(StepPart::solve);
+  before.elastic_work =
+      h * numeric::dot(std::span(w.corotation.elastic_force).first(s.velocity.size()), s.velocity);
+  tissue::move(s.position, s.velocity, h);
+  s.tip_position += h * s.tip_rate;
+  tissue::corotate_into(w.corotation, m.tissue, s.position);
+  probe(StepPart::rotation);
+  return true;
+}
+
+void show(const State& s, const Observed& observed, const NeedlePlace& place, double bow, Frame& frame) {
+  frame.time = s.time;
+  frame.hand_travel = s.hub_travel;
+  frame.hand_force = observed.column_load;
+  frame.tip_force = observed.tip_force;
+  frame.tip_depth = s.tip_position;
+  frame.inserted_length = place.inserted_length;
+  frame.free_length = place.free_length;
+  frame.critical_load = observed.critical_load;
+  frame.deflection = bow;
+  frame.ledger = s.ledger;
+  frame.energy_residual = force::residual(s.ledger);
+}
+
+}  // namespace
+
+void advance(const Model& m, State& s, Scratch& w, double hub_travel, Frame& frame,
+             std::vector<Event>& events, const StepProbe& probe) {
+  Before before = remember(m, s, w);
+  Observed observed;
+  if (!m.rigid()) {
+    if (!move_together(m, s, w, hub_travel, before, frame, probe)) {
+      frame.health = Health::solver_broke_down;
+      return;
+    }
+    const coupling::SliderStep tip = slide(m, s, w);
+    observed.tip_force = tip.force;
+    observed.ruptured_now = !s.punctured && tip.slip > 0.0;
+    s.punctured = s.punctured || observed.ruptured_now;
+    observed.through_now = cut(m, s, tip.slip);
+    probe(StepPart::cutting);
+    account_tissue(m, s, w, before);
+  }
+  s.time += m.scene.run.time_step;
+  s.hub_travel = hub_travel;
+  observed.column_load =
+      needle::column_response(m.column, before.place.free_length, hub_travel - s.tip_position).load;
+  if (m.rigid()) observed.tip_force = std::max(observed.column_load, 0.0);
+  const NeedlePlace place = place_needle(m, s);
+  const needle::ColumnResponse column =
+      needle::column_response(m.column, place.free_length, place.shortening);
+  account_needle(m, s, before, observed.column_load, column.energy);
+
+  observed.inserted_length = place.inserted_length;
+  observed.critical_load = needle::critical_load(needle::bending_rigidity(m.scene.needle), place.free_length,
+                                                 m.scene.needle.support);
+  show(s, observed, place, column.bow, frame);
+  frame.energy_force = s.energy_force.after(s.hub_travel, force::accounted(s.ledger));
+  decide_stage(s, observed, frame, events);
+  frame.health = health_of(s, column, place, m.scene.needle.radius);
+  probe(StepPart::ledger);
+}
+
+}  // namespace acus

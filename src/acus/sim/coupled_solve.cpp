@@ -106,8 +106,8 @@ void load_right_hand_side(const Model& m, Scratch& w, double rate) {
   }
 }
 
-// How far to go from (velocity_tried, rate_before) towards (velocity, rate): the root in (0, 1] of the incremental
-// potential's slope, which rises along the way; 1 when it is still falling there.
+// How far to go from (velocity_tried, rate_before) towards (velocity, rate): the root in (0, 1] of the
+// incremental potential's slope, which rises along the way; 1 when it is still falling there.
 double line_search(const Model& m, const State& s, Scratch& w, double hub_travel, double free_length,
                    double configurational_force, double rate_before, double rate) {
   const double h = m.scene.run.time_step;
@@ -148,7 +148,8 @@ Scratch build_scratch(const Model& m) {
   w.matrix = tissue::build_system_matrix(m.tissue);
   w.cg.resize(m.tissue.free_nodes);
   const std::size_t size = static_cast<std::size_t>(m.tissue.free_nodes) * numeric::node_stride;
-  for (NodeVector* v : {&w.momentum, &w.right_hand_side, &w.stick_load, &w.velocity_before, &w.velocity_tried})
+  for (NodeVector* v :
+       {&w.momentum, &w.right_hand_side, &w.stick_load, &w.velocity_before, &w.velocity_tried})
     v->assign(size, 0.0);
   w.held.reserve(static_cast<std::size_t>(m.channel.cells()) + 1);
   return w;
@@ -180,8 +181,7 @@ CoupledOutcome solve_coupled(const Model& m, State& s, Scratch& w, double hub_tr
                          configurational_force, guess);
     numeric::add_scaled_into(s.velocity, rate - guess, s.influence);
     if (correct_grips(m, s, w, rate)) {
-      const double t =
-          line_search(m, s, w, hub_travel, free_length, configurational_force, guess, rate);
+      const double t = line_search(m, s, w, hub_travel, free_length, configurational_force, guess, rate);
       if (t < 1.0) {
         numeric::scale_and_add_into(s.velocity, t, w.velocity_tried);
         numeric::add_scaled_into(s.velocity, -t, w.velocity_tried);

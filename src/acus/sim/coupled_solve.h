@@ -33,10 +33,10 @@ struct Scratch {
   numeric::CgScratch cg;
   numeric::NodeVector momentum;  // M v0 + h f_el + impulses that do not depend on the step
   numeric::NodeVector right_hand_side;
-  numeric::NodeVector stick_load;  // answer wanted for a unit rate of the needle
+  numeric::NodeVector stick_load;       // answer wanted for a unit rate of the needle
   numeric::NodeVector velocity_before;  // at the start of the step
   numeric::NodeVector velocity_tried;   // at the start of a line search
-  std::vector<HeldPoint> held;  // the tip first
+  std::vector<HeldPoint> held;          // the tip first
 };
 Scratch build_scratch(const Model& model);
 

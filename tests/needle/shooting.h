@@ -56,7 +56,7 @@ class Column {
   Buckled at(double d) {
     while (reached_ < d) {
       reached_ = std::min(d, reached_ + 0.02);
-      for (int i = 0; i < 12; ++i) correct(reached_);
+      for (int i = 0; i < 5; ++i) correct(reached_);
     }
     return result(reached_);
   }

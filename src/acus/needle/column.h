@@ -1,4 +1,4 @@
-// The free part of the needle as an imperfect column: force, energy and bow from hub travel, in closed form.
+// The free part of the needle as an imperfect column: what it answers when its ends are brought closer together.
 #pragma once
 
 #include <vector>

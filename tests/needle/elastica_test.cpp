@@ -72,6 +72,14 @@ TEST_P(EachSupport, starts_straight_at_the_critical_load) {
   EXPECT_NEAR(1e-5 / (slight.bow_ratio * slight.bow_ratio), small_bow_factor(GetParam()), 1e-4);
 }
 
+TEST_P(EachSupport, slightest_shortening_gives_the_slightest_bow) {
+  for (double d : {1e-300, 1e-17, 1e-15, 1e-12}) {
+    const Elastica e = elastica(GetParam(), d);
+    EXPECT_NEAR(e.load_ratio, 1.0, 1e-11) << d;
+    EXPECT_NEAR(e.bow_ratio, std::sqrt(d / small_bow_factor(GetParam())), 1e-7) << d;
+  }
+}
+
 TEST_P(EachSupport, load_is_the_derivative_of_the_bending_energy) {
   constexpr double h = 1e-5;
   for (double d = 0.02; d < 0.69; d += 0.03) {

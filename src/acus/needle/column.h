@@ -1,4 +1,5 @@
-// The free part of the needle as an imperfect column: what it answers when its ends are brought closer together.
+// The free part of the needle as an imperfect column: what it answers when its ends are brought closer
+// together.
 #pragma once
 
 #include <vector>

@@ -116,10 +116,12 @@ double max_shortening_ratio(Support support) { return support == Support::clampe
 Elastica elastica(Support support, double shortening_ratio) {
   assert(shortening_ratio >= 0.0 && shortening_ratio <= max_shortening_ratio(support));
   if (shortening_ratio == 0.0) return elastica_of_modulus(support, 0.0);
-  const double modulus = numeric::bracketed_root(
-      [&](double k) { return elastica_of_modulus(support, k).shortening_ratio - shortening_ratio; }, 0.0,
-      max_modulus(support));
-  return elastica_of_modulus(support, modulus);
+  // The rounding of 1 - span / length at k = 0 is taken out, so that the smallest shortenings stay bracketed.
+  const double rounding = elastica_of_modulus(support, 0.0).shortening_ratio;
+  const auto excess = [&](double modulus) {
+    return elastica_of_modulus(support, modulus).shortening_ratio - rounding - shortening_ratio;
+  };
+  return elastica_of_modulus(support, numeric::bracketed_root(excess, 0.0, max_modulus(support)));
 }
 
 // pinned_pinned: d = k^2, bow = 2k/pi; clamped_clamped the same; clamped_free: bow = 4k/pi. clamped_pinned:

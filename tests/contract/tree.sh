@@ -3,6 +3,11 @@
 cd "$1"
 violations=0
 
+# The paths on standard input that lie below the given ones; all when none is given.
+below() {
+  if [[ $# -eq 0 ]]; then cat; else grep -E "^($(IFS='|'; echo "$*"))(/|$)" || true; fi
+}
+
 # Files of the tree below the given paths that git tracks or would track; every file when it is no git checkout.
 files() {
   if [[ -e .git ]]; then
@@ -10,7 +15,7 @@ files() {
       [[ ! -f $file ]] || printf '%s\n' "$file"
     done
   else
-    find . -type f | sed 's|^\./||' | sort | if [[ $# -gt 0 ]]; then grep -E "^($(IFS='|'; echo "$*"))(/|$)" || true; else cat; fi
+    find . -type f -not -path './build/*' -not -path './out/*' | sed 's|^\./||' | sort | below "$@"
   fi
 }
 

@@ -10,7 +10,7 @@ declare -A level=([base]=0 [numeric]=1 [mesh]=1 [tissue]=2 [needle]=2 [coupling]
 # The engine knows no threads, no clock, no sockets and no streams, and keeps to what libc++ 13 has.
 outside='thread|mutex|shared_mutex|condition_variable|future|atomic|semaphore|barrier|latch|stop_token|chrono|ctime'
 outside+='|time\.h|sys/time\.h|sys/socket\.h|netinet/.*|unistd\.h|iostream|fstream|filesystem|random'
-too_new='format|ranges|charconv|source_location'
+too_new='format|ranges|source_location'
 
 # Lines of FILE that include something: "line:name", where name keeps its quote or angle bracket.
 includes_of() { sed -n 's/^[[:space:]]*#[[:space:]]*include[[:space:]]*\(["<][^">]*\)[">].*/\1/;T;=;p' "$1" | paste -d: - -; }

@@ -49,7 +49,7 @@ void read_gmsh_1_elements(MeshBytes& bytes, MeshDraft& draft) {
     element.type = bytes.integer(NumberType::int32, "the type of " + name);
     element.region = bytes.integer(NumberType::int32, "the physical region of " + name);
     bytes.integer(NumberType::int32, "the elementary region of " + name);
-    bytes.integer(NumberType::int32, "the number of nodes of " + name);
+    element.nodes = bytes.integer(NumberType::int32, "the number of nodes of " + name);
     read_gmsh_element_nodes(bytes, NumberType::int32, element, draft);
     bytes.end_record();
   }

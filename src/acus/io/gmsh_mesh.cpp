@@ -75,6 +75,10 @@ void read_gmsh_element_nodes(MeshBytes& bytes, NumberType node_type, const GmshE
                ", which Gmsh does not have (a tetrahedron is of type 4)");
     return;
   }
+  if (element.nodes != 0 && element.nodes != static_cast<std::int64_t>(kind->nodes)) {
+    bytes.fail("element " + std::to_string(element.number) + " has " + std::to_string(element.nodes) +
+               " nodes, but its type has " + std::to_string(kind->nodes));
+  }
   const bool is_tet = std::string_view(kind->name) == "tetrahedra";
   DraftTet tet{element.number, {}, element.region, element.line};
   for (std::size_t i = 0; i < kind->nodes; ++i) {

@@ -15,6 +15,7 @@ struct GmshElement {
   std::int64_t type = 0;  // Gmsh's number of the kind
   std::int64_t number = 0;
   std::int64_t region = 0;
+  std::int64_t nodes = 0;  // how many the file says it has; 0 where the format leaves it to the type
   long line = 0;
 };
 // Reads the nodes of `element` and keeps it if it is a tetrahedron.

@@ -9,39 +9,30 @@
 namespace acus::io {
 namespace {
 
-constexpr std::int64_t tetrahedron = 10, quadratic_tetrahedron = 24, lagrange_tetrahedron = 71;
-constexpr std::string_view region_names[] = {"region", "gmsh:physical", "medit:ref", "material"};
+struct Kind {
+  std::int64_t type;
+  std::int64_t fewest_points, most_points;
+  const char* name;
+};
+constexpr std::int64_t unbounded = std::numeric_limits<std::int64_t>::max();
+constexpr Kind kinds[] = {{1, 1, 1, "vertices"},      {3, 2, 2, "lines"},
+                          {5, 3, 3, "triangles"},     {9, 4, 4, "quadrangles"},
+                          {10, 4, 4, "tetrahedra"},   {12, 8, 8, "hexahedra"},
+                          {13, 6, 6, "wedges"},       {14, 5, 5, "pyramids"},
+                          {24, 10, 10, "tetrahedra"}, {71, 4, unbounded, "tetrahedra"}};
+constexpr std::string_view tetrahedra = "tetrahedra";
 
-std::string kind_name(std::int64_t type) {
-  switch (type) {
-    case 1:
-      return "vertices";
-    case 3:
-      return "lines";
-    case 5:
-      return "triangles";
-    case 9:
-      return "quadrangles";
-    case 12:
-      return "hexahedra";
-    case 13:
-      return "wedges";
-    case 14:
-      return "pyramids";
-    default:
-      return "cells of type " + std::to_string(type);
-  }
-}
-
-bool is_tetrahedron(std::int64_t type) {
-  return type == tetrahedron || type == quadratic_tetrahedron || type == lagrange_tetrahedron;
+Kind kind_of(std::int64_t type) {
+  const auto* known =
+      std::find_if(std::begin(kinds), std::end(kinds), [&](const Kind& k) { return k.type == type; });
+  return known == std::end(kinds) ? Kind{type, 0, unbounded, "cells of other types"} : *known;
 }
 
 }  // namespace
 
 std::size_t region_rank(std::string_view name) {
-  return static_cast<std::size_t>(std::find(std::begin(region_names), std::end(region_names), name) -
-                                  std::begin(region_names));
+  return static_cast<std::size_t>(std::find(region_names.begin(), region_names.end(), name) -
+                                  region_names.begin());
 }
 
 std::int64_t as_region(double value, MeshBytes& bytes) {
@@ -73,11 +64,15 @@ MeshDraft draft_of(const VtkGrid& grid, MeshBytes& bytes) {
       bytes.fail("cell " + std::to_string(c) + " ends at entry " + std::to_string(end) +
                  " of the connectivity, which has " + std::to_string(grid.connectivity.size()) +
                  "; offsets must grow and end there");
-    } else if (!is_tetrahedron(grid.types[c])) {
-      ++draft.skipped[kind_name(grid.types[c])];
-    } else if (end - begin < 4) {
-      bytes.fail("cell " + std::to_string(c) + " is a tetrahedron with " + std::to_string(end - begin) +
-                 " points; it needs four");
+      return draft;
+    }
+    const Kind kind = kind_of(grid.types[c]);
+    if (end - begin < kind.fewest_points || end - begin > kind.most_points) {
+      bytes.fail("cell " + std::to_string(c) + " of type " + std::to_string(kind.type) + " (" + kind.name +
+                 ") has " + std::to_string(end - begin) + " points; it needs " +
+                 std::to_string(kind.fewest_points));
+    } else if (kind.name != tetrahedra) {
+      ++draft.skipped[kind.name];
     } else {
       DraftTet tet{static_cast<std::int64_t>(c), {}, grid.region.empty() ? 0 : grid.region[c], grid.lines[c]};
       std::copy_n(grid.connectivity.begin() + begin, 4, tet.nodes.begin());

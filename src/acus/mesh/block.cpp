@@ -11,7 +11,7 @@ namespace {
 
 // Of the block's depth: the distance from the path over which the wanted edge doubles, and the depth below
 // the entry over which it does.
-constexpr double sideways_doubling = 0.13;
+constexpr double sideways_doubling = 0.06;
 constexpr double downward_doubling = 0.5;
 constexpr int tets_per_cell = 6;
 

@@ -20,12 +20,10 @@ Mat3 rotation_by_svd(const Mat3& F) {
 
 Mat3 rotation_of(const Mat3& F) {
   Mat3 R = F;
-  double first_determinant = 0.0;
   for (int step = 0; step < newton_polar_max_steps; ++step) {
     double determinant = 0.0;
     const double change = newton_polar_step(R.data(), determinant);
-    if (step == 0) first_determinant = determinant;
-    if (!(first_determinant > 0.0)) break;
+    if (step == 0 && !newton_polar_holds(determinant, F.squaredNorm())) break;
     if (change < newton_polar_converged) return R;
   }
   return rotation_by_svd(F);

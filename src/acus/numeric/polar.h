@@ -28,7 +28,7 @@ ACUS_INLINE T cofactor_into(T* c, const T* m) {
 // One correction of Newton's iteration R <- (R + R^-T)/2 from R = F (Higham 1986), on a plain or a vector
 // type T. It converges quadratically to the polar factor of a regular F. Returns the sum of squares of the
 // change; `det` is the determinant before it. For singular F it gives no number, for inverted F a reflection:
-// callers check.
+// callers check with `newton_polar_holds`.
 template <class T>
 ACUS_INLINE T newton_polar_step(T* r, T& det) {
   T c[9];
@@ -47,5 +47,12 @@ ACUS_INLINE T newton_polar_step(T* r, T& det) {
 // A correction below this leaves an error of its square: the result is exact to rounding.
 inline constexpr double newton_polar_converged = 1e-16;  // sum of squares, i.e. 1e-8 in an entry
 inline constexpr int newton_polar_max_steps = 10;
+
+// Whether the iteration can be trusted from F, given det F and |F|^2: nearer to singular than this, the sign
+// of the determinant and the cofactors drown in rounding, and it may end at a reflection.
+inline bool newton_polar_holds(double det, double norm_squared) {
+  constexpr double flattest = 1e-6;  // det / |F|^3: its rounding error is some 1e-10 of it
+  return det > 0.0 && det * det > flattest * flattest * norm_squared * norm_squared * norm_squared;
+}
 
 }  // namespace acus::numeric

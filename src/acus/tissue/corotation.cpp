@@ -44,8 +44,11 @@ ACUS_INLINE void gather(Batch& b, const TissueModel& m, int batch, const Vec3* x
 }
 
 ACUS_INLINE int rotate(Batch& b) {
-  for (int i = 0; i < 9; ++i) b.r[i] = b.f[i];
-  Lane8 first_determinant{}, change{}, determinant{};
+  Lane8 first_determinant{}, change{}, determinant{}, norm_squared{};
+  for (int i = 0; i < 9; ++i) {
+    b.r[i] = b.f[i];
+    norm_squared += b.f[i] * b.f[i];
+  }
   for (int step = 0; step < numeric::newton_polar_max_steps; ++step) {
     change = numeric::newton_polar_step(b.r, determinant);
     if (step == 0) first_determinant = determinant;
@@ -55,7 +58,9 @@ ACUS_INLINE int rotate(Batch& b) {
   }
   int failures = 0;
   for (int l = 0; l < lanes; ++l) {
-    if (change[l] < numeric::newton_polar_converged && first_determinant[l] > 0.0) continue;
+    if (change[l] < numeric::newton_polar_converged &&
+        numeric::newton_polar_holds(first_determinant[l], norm_squared[l]))
+      continue;
     Mat3 F;
     for (int i = 0; i < 9; ++i) F.data()[i] = b.f[i][l];
     const Mat3 R = F.allFinite() ? numeric::rotation_of(F) : Mat3(Mat3::Identity());

@@ -92,8 +92,7 @@ TEST(SceneToml, errors_point_at_line_and_column) {
       refusal("[needle]\nlength_mm = 150\n[hand]\ntravel_mm = 180\n").find("scene.toml:4:13: hand.travel_mm"),
       0U);
   EXPECT_EQ(
-      refusal("", {"hand.travel_mm=300"}).find("--set hand.travel_mm=300: hand.travel_mm must stay below"),
-      0U);
+      refusal("", {"hand.travel_mm=300"}).find("--set hand.travel_mm=300: hand.travel_mm must leave 10"), 0U);
 }
 
 // Scenes that TOML can express: numbers of up to fifteen digits in the unit of their key, inside its range.
@@ -156,8 +155,9 @@ TEST(SceneToml, writing_and_reading_back_gives_the_same_scene) {
 TEST(SceneToml, no_text_makes_the_reader_crash) {
   const bool held = rc::check([](const std::string& noise) { (void)parse_scene(noise, "noise.toml"); });
   EXPECT_TRUE(held);
-  for (const char* text : {"[?", "[", "a", "=", "\xff\xfe", "[[needle]]", "needle = 1", "[needle.length_mm]",
-                           "a.b.c.d = 1", "\"\" = 1", "[needle]\n\"length_mm\\u0000\" = 1"})
+  for (const char* text : {"[?", "[", "a", "=", "\xff\xfe", "a \u00a1 = 1", "\u00e9 = 1", "a = \u2fff",
+                           "a = \ufb01", "[[needle]]", "needle = 1", "[needle.length_mm]", "a.b.c.d = 1",
+                           "\"\" = 1", "[needle]\n\"length_mm\\u0000\" = 1"})
     EXPECT_NE(refusal(text), "accepted") << text;
   EXPECT_NE(refusal(std::string(100000, '[')), "accepted");
   EXPECT_NE(refusal("a = " + std::string(100000, '[')), "accepted");

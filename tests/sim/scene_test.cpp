@@ -38,7 +38,7 @@ TEST(Scene, every_contradiction_is_named_by_its_key) {
       {"tissue.mesh", "remove one", [](Scene& s) { s.tissue.rigid = true, s.tissue.mesh = "liver.msh"; }},
       {"contact.contact_radius_mm", "needle.radius_mm", [](Scene& s) { s.contact.contact_radius = 0.1e-3; }},
       {"contact.contact_radius_mm", "quarter", [](Scene& s) { s.contact.contact_radius = 0.02; }},
-      {"hand.travel_mm", "below needle.length_mm", [](Scene& s) { s.hand.travel = 0.2; }},
+      {"hand.travel_mm", "reach at most 197 mm", [](Scene& s) { s.hand.travel = 0.2; }},
       {"hand.path", "hand.kind",
        [](Scene& s) {
          s.hand.path = {{0.0, 0.0}, {1.0, 0.01}};
@@ -52,7 +52,7 @@ TEST(Scene, every_contradiction_is_named_by_its_key) {
        [](Scene& s) {
          s.hand = {.kind = HandKind::path, .path = {{0.0, 0.0}, {2.0, 0.01}, {2.0, 0.02}}};
        }},
-      {"hand.path", "below needle.length_mm",
+      {"hand.path", "reach at most 197 mm",
        [](Scene& s) {
          s.hand = {.kind = HandKind::path, .path = {{0.0, 0.0}, {20.0, 0.25}}};
        }},

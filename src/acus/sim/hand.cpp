@@ -27,4 +27,11 @@ double duration(const HandScene& hand) {
   return hand.travel / hand.speed;
 }
 
+double furthest_travel(const HandScene& hand) {
+  if (hand.kind == HandKind::steady) return hand.travel;
+  double furthest = 0.0;
+  for (const HandPoint& point : hand.path) furthest = std::max(furthest, point.travel);
+  return furthest;
+}
+
 }  // namespace acus

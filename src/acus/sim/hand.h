@@ -11,4 +11,7 @@ double hand_travel(const HandScene& hand, double time);
 // When the hand has done all it was asked to do. s
 double duration(const HandScene& hand);
 
+// The deepest the hub is ever sent. m from first touch
+double furthest_travel(const HandScene& hand);
+
 }  // namespace acus

@@ -97,13 +97,6 @@ Complaint path_complaint(const Scene& scene) {
   return {};
 }
 
-double furthest_travel(const HandScene& hand) {
-  if (hand.kind == HandKind::steady) return hand.travel;
-  double furthest = 0.0;
-  for (const HandPoint& point : hand.path) furthest = std::max(furthest, point.travel);
-  return furthest;
-}
-
 double highest_speed(const HandScene& hand) {
   if (hand.kind == HandKind::steady) return hand.speed;
   double highest = 0.0;
@@ -121,9 +114,12 @@ Complaint hand_complaint(const Scene& scene) {
   if (hand.kind == HandKind::path)
     if (auto said = path_complaint(scene)) return said;
   const std::string travel_key = hand.kind == HandKind::path ? "hand.path" : "hand.travel_mm";
-  if (furthest_travel(hand) >= scene.needle.length)
-    return travel_key + " must stay below needle.length_mm, which is " + in_mm(scene.needle.length) +
-           ", but reaches " + in_mm(furthest_travel(hand));
+  // A shorter stub outside the tissue is no column any more.
+  constexpr double shortest_stub = 10.0;  // radii
+  const double furthest = scene.needle.length - shortest_stub * scene.needle.radius;
+  if (furthest_travel(hand) > furthest)
+    return travel_key + " must leave 10 needle radii of the needle outside, so reach at most " +
+           in_mm(furthest) + ", but reaches " + in_mm(furthest_travel(hand));
   return {};
 }
 

@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "acus/base/decimal.h"
+#include "acus/sim/names.h"
 
 namespace acus {
 namespace {
@@ -16,6 +17,7 @@ namespace {
         [](Scene& s, int i) { s.member = static_cast<std::decay_t<decltype(s.member)>>(i); } \
   }
 
+using needle::Support;
 constexpr int milli = -3, kilo = 3, giga = 9, one = 0;
 
 std::vector<SceneKey> needle_keys() {
@@ -29,7 +31,8 @@ std::vector<SceneKey> needle_keys() {
       {"needle.density_kg_m3", NumberField{ACUS_AT(needle.density), one, {1.0, 30000.0}},
        "of the needle's material; steel 7850"},
       {"needle.support",
-       ACUS_CHOICE(needle.support, "pinned_pinned", "clamped_pinned", "clamped_clamped", "clamped_free"),
+       ACUS_CHOICE(needle.support, name_of(Support::pinned_pinned), name_of(Support::clamped_pinned),
+                   name_of(Support::clamped_clamped), name_of(Support::clamped_free)),
        "ends of the free part, hub first; the paper's Eq. 10 is pinned_pinned"},
       {"needle.imperfection_mm", NumberField{ACUS_AT(needle.imperfection), milli, {0.0, 20.0}},
        "amplitude of the initial bow, which seeds buckling"},

@@ -1,0 +1,41 @@
+// One insertion from a scene to its end: what the command line and the studies both run.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "acus/base/result.h"
+#include "acus/sim/scene.h"
+#include "acus/sim/simulation.h"
+#include "acus/sim/summary.h"
+
+namespace acus::io {
+
+// The simulation of a scene; reads tissue.mesh if the scene names one. Errors name the key or the mesh file.
+Result<Simulation> build_simulation(const Scene& scene);
+
+// Number of steps that the hand's movement takes.
+int step_count(const Scene& scene);
+
+// Called with the state before the first step, and after every step; false ends the insertion there.
+using Observer = std::function<bool(const Simulation&)>;
+
+struct Insertion {
+  Scene scene;
+  Summary summary;
+  std::vector<Frame> trace;  // every run.trace_stride-th frame, the first and the last
+  std::vector<Event> events;
+  std::uint64_t state_hash = 0;
+  int nodes = 0, tetrahedra = 0;
+  bool interrupted = false;  // by the observer
+};
+
+// Follows the hand to its end. A step that goes wrong ends it early: see summary.health.
+// An Error is a scene that cannot be built.
+Result<Insertion> run_insertion(const Scene& scene, const Observer& observer = {});
+
+// The same with a simulation that was just built.
+Insertion run_insertion(Simulation& simulation, const Observer& observer = {});
+
+}  // namespace acus::io

@@ -1,0 +1,59 @@
+#include "acus/io/output_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+namespace acus::io {
+namespace {
+
+std::string reason(int number) {
+  if (number == ENOSPC) return "the disk is full; free some space or write elsewhere with --out";
+  if (number == EACCES || number == EROFS || number == EPERM)
+    return "writing there is not permitted; choose another folder with --out";
+  if (number == EISDIR) return "a folder of that name stands in its place";
+  return std::strerror(number);
+}
+
+}  // namespace
+
+Result<OutputFile> OutputFile::create(const std::string& path) {
+  std::FILE* file = std::fopen(path.c_str(), "wb");
+  if (file == nullptr) return Error{path + ": cannot be written: " + reason(errno)};
+  return OutputFile(path, file);
+}
+
+void OutputFile::note_failure() {
+  if (!failure_) failure_ = Error{path_ + ": cannot be written to its end: " + reason(errno)};
+}
+
+void OutputFile::write(std::string_view text) {
+  if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size()) note_failure();
+}
+
+void OutputFile::flush() {
+  if (std::fflush(file_.get()) != 0) note_failure();
+}
+
+std::optional<Error> OutputFile::close() {
+  flush();
+  if (std::fclose(file_.release()) != 0) note_failure();
+  return failure_;
+}
+
+std::optional<Error> write_file(const std::string& path, std::string_view text) {
+  Result<OutputFile> file = OutputFile::create(path);
+  if (!file) return file.error();
+  file->write(text);
+  return file->close();
+}
+
+std::optional<Error> make_folder(const std::string& path) {
+  std::error_code failed;
+  std::filesystem::create_directories(path, failed);
+  if (std::filesystem::is_directory(path)) return std::nullopt;
+  if (std::filesystem::exists(path)) return Error{path + ": is a file; name a folder to write into"};
+  return Error{path + ": this folder cannot be made: " + reason(failed.value())};
+}
+
+}  // namespace acus::io

@@ -1,0 +1,52 @@
+#include "acus/sim/prediction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "acus/needle/buckling.h"
+#include "acus/needle/elastica.h"
+#include "acus/sim/hand.h"
+
+namespace acus {
+namespace {
+
+// Largest load of the elastica up to an end shortening, as a multiple of the critical load. The load need not
+// grow all the way: clamped_pinned is highest at a shortening of 0.46.
+double highest_load_ratio(needle::Support support, double shortening_ratio) {
+  constexpr int samples = 100;  // the curve is smooth: its top is met to 1e-4
+  const double furthest = std::clamp(shortening_ratio, 0.0, needle::max_shortening_ratio(support));
+  double highest = 1.0;
+  for (int i = 1; i <= samples; ++i)
+    highest = std::max(highest, needle::elastica(support, furthest * i / samples).load_ratio);
+  return highest;
+}
+
+}  // namespace
+
+double half_space_sink(double force, const TissueScene& tissue, double disc_radius) {
+  const double nu = tissue.poisson_ratio;
+  constexpr double pi = std::numbers::pi;
+  return 16.0 * (1.0 - nu * nu) * force / (3.0 * pi * pi * tissue.youngs_modulus * disc_radius);
+}
+
+Prediction predict(const Scene& scene) {
+  const needle::NeedleSpec& spec = scene.needle;
+  const double rupture_force = scene.contact.rupture_force;
+  const double rigidity = needle::bending_rigidity(spec);
+  Prediction p{};
+  p.critical_load = needle::critical_load(rigidity, spec.length, spec.support);
+  p.sink =
+      scene.tissue.rigid ? 0.0 : half_space_sink(rupture_force, scene.tissue, scene.contact.contact_radius);
+  p.highest_load = p.critical_load *
+                   highest_load_ratio(spec.support, (furthest_travel(scene.hand) - p.sink) / spec.length);
+  p.longest_straight = spec.length * std::sqrt(p.critical_load / rupture_force);
+  if (scene.tissue.rigid || p.highest_load < rupture_force)
+    p.outcome = Outcome::never_punctured;
+  else
+    p.outcome =
+        p.critical_load < rupture_force ? Outcome::buckled_then_punctured : Outcome::straight_puncture;
+  return p;
+}
+
+}  // namespace acus

@@ -1,0 +1,142 @@
+// acus check: explains a scene before it is run.
+#include <chrono>
+#include <cstdio>
+#include <memory>
+
+#include "acus/base/units.h"
+#include "acus/io/insertion.h"
+#include "acus/io/scene_toml.h"
+#include "acus/mesh/quality.h"
+#include "acus/needle/buckling.h"
+#include "acus/sim/hand.h"
+#include "acus/sim/names.h"
+#include "acus/sim/prediction.h"
+#include "verbs.h"
+
+namespace acus::app {
+namespace {
+
+struct CheckOptions {
+  std::string scene;
+  std::vector<std::string> settings;
+  bool keys = false;
+};
+
+constexpr double degrees = 57.29577951308232;  // per radian
+
+void print_needle(const needle::NeedleSpec& spec, double rupture_force, const Prediction& p) {
+  const double rigidity = needle::bending_rigidity(spec);
+  std::printf("Needle   %g mm long, radius %g mm, bending rigidity %.4g N m^2, mass %.3g g\n",
+              spec.length / units::mm, spec.radius / units::mm, rigidity, 1e3 * needle::mass(spec));
+  std::printf("         buckles at its whole length under");
+  for (needle::Support support : needle::all_supports)
+    std::printf("%s %.4f N (%s)", support == needle::all_supports.front() ? "" : ",",
+                needle::critical_load(rigidity, spec.length, support), name_of(support).c_str());
+  std::printf(
+      "\n         as %s it stays straight under the rupture force of %g N up to a free length of %.1f mm\n",
+      name_of(spec.support).c_str(), rupture_force, p.longest_straight / units::mm);
+}
+
+void print_tissue(const Scene& scene, const Simulation& simulation, const Prediction& p) {
+  if (scene.tissue.rigid) {
+    std::printf("Tissue   none: a fixed stop\n");
+    return;
+  }
+  const mesh::TetMesh& mesh = simulation.tissue();
+  const mesh::Quality quality = mesh::quality(mesh);
+  if (scene.tissue.mesh.empty())
+    std::printf("Tissue   block of %g x %g x %g mm", scene.tissue.size.x() / units::mm,
+                scene.tissue.size.y() / units::mm, scene.tissue.size.z() / units::mm);
+  else
+    std::printf("Tissue   %s", scene.tissue.mesh.c_str());
+  std::printf(", Young's modulus %g kPa, Poisson's ratio %g\n", scene.tissue.youngs_modulus / units::kPa,
+              scene.tissue.poisson_ratio);
+  std::printf("         %zu tetrahedra, %zu nodes, edges of %.2f to %.2f mm\n", mesh.tets.size(),
+              mesh.nodes.size(), quality.shortest_edge / units::mm, quality.longest_edge / units::mm);
+  std::printf("         worst tetrahedron: smallest dihedral angle %.1f degrees, aspect ratio %.1f\n",
+              quality.smallest_dihedral_angle * degrees, quality.largest_aspect_ratio);
+  std::printf(
+      "         the entry sinks about %.1f mm under the rupture force (half-space, contact disc of %g mm "
+      "radius)\n",
+      p.sink / units::mm, scene.contact.contact_radius / units::mm);
+}
+
+void print_expectation(const Scene& scene, const Prediction& p) {
+  const double rupture_force = scene.contact.rupture_force;
+  std::printf("Expect   ");
+  if (scene.tissue.rigid)
+    std::printf("the bare column buckles at %.4f N and carries at most %.4f N within the hand's travel\n",
+                p.critical_load, p.highest_load);
+  else if (p.outcome == Outcome::straight_puncture)
+    std::printf("straight_puncture: the critical load %.4f N is above the rupture force %g N\n",
+                p.critical_load, rupture_force);
+  else if (p.outcome == Outcome::buckled_then_punctured)
+    std::printf(
+        "buckled_then_punctured: buckling at %.4f N, but bent it still pushes up to %.4f N, more than the "
+        "rupture "
+        "force %g N\n",
+        p.critical_load, p.highest_load, rupture_force);
+  else
+    std::printf(
+        "never_punctured: buckling at %.4f N, and within the hand's travel the bent needle pushes at most "
+        "%.4f N, "
+        "less than the rupture force %g N\n",
+        p.critical_load, p.highest_load, rupture_force);
+}
+
+// Steps the simulation for about a tenth of a second of wall time and says what a step costs.
+void print_cost(const Scene& scene, Simulation& simulation) {
+  using Clock = std::chrono::steady_clock;
+  constexpr int fewest = 5, most = 500;  // steps
+  constexpr double long_enough = 0.1;    // s
+  const int all = io::step_count(scene);
+  const auto start = Clock::now();
+  double elapsed = 0.0;
+  int steps = 0;
+  while (steps < std::min(all, most) && (steps < fewest || elapsed < long_enough)) {
+    ++steps;
+    simulation.step(hand_travel(scene.hand, steps * scene.run.time_step));
+    elapsed = std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  const double per_step = elapsed / steps;
+  std::printf(
+      "Cost     %.0f us per step of %g ms at first touch (%.1f times real time); %d steps, about %.1f s in "
+      "all\n",
+      1e6 * per_step, scene.run.time_step / units::ms, scene.run.time_step / per_step, all, all * per_step);
+}
+
+int check(const CheckOptions& options) {
+  if (options.keys) {
+    std::fputs(io::scene_keys_page().c_str(), stdout);
+    return done;
+  }
+  if (options.scene.empty())
+    return refused("check needs a scene file, or --keys for the list of all keys", bad_input);
+  const Result<Scene> scene = io::read_scene(options.scene, options.settings);
+  if (!scene) return refused(scene.error().sentence, bad_input);
+  Result<Simulation> simulation = io::build_simulation(*scene);
+  if (!simulation) return refused(simulation.error().sentence, bad_input);
+  const Prediction prediction = predict(*scene);
+  std::printf("Scene    %s makes sense\n", options.scene.c_str());
+  print_needle(scene->needle, scene->contact.rupture_force, prediction);
+  print_tissue(*scene, *simulation, prediction);
+  print_expectation(*scene, prediction);
+  std::printf("Hand     goes %g mm in %g s\n", furthest_travel(scene->hand) / units::mm,
+              duration(scene->hand));
+  print_cost(*scene, *simulation);
+  return done;
+}
+
+}  // namespace
+
+void add_check(CLI::App& program, Work& work) {
+  auto options = std::make_shared<CheckOptions>();
+  CLI::App* verb =
+      program.add_subcommand("check", "explains a scene: mesh, sizes, predicted loads, cost per step");
+  verb->add_option("SCENE", options->scene, "scene file (TOML)");
+  add_settings(*verb, options->settings);
+  verb->add_flag("--keys", options->keys, "print the reference of all scene keys, in Markdown");
+  verb->callback([options, &work] { work = [options] { return check(*options); }; });
+}
+
+}  // namespace acus::app

@@ -1,0 +1,146 @@
+// acus run: one insertion, headless.
+#include <chrono>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "acus/base/hash.h"
+#include "acus/base/units.h"
+#include "acus/io/run_folder.h"
+#include "acus/io/scene_toml.h"
+#include "acus/io/summary_json.h"
+#include "acus/sim/names.h"
+#include "interruption.h"
+#include "progress.h"
+#include "verbs.h"
+
+namespace acus::app {
+namespace {
+
+struct RunOptions {
+  std::string scene;
+  std::vector<std::string> settings;
+  std::string out;
+  int vtu_every = 0;
+  bool json = false, quiet = false;
+};
+
+using io::Insertion;
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+const char* in_words(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::straight_puncture:
+      return "the needle punctured the tissue without buckling before";
+    case Outcome::buckled_then_punctured:
+      return "the needle buckled, and punctured the tissue nevertheless";
+    case Outcome::never_punctured:
+      return "the needle never punctured the tissue";
+  }
+  return "";
+}
+
+void print_events(const Insertion& insertion) {
+  std::printf("\n%9s  %-16s %12s %12s %14s\n", "time", "event", "hand travel", "hand force", "free length");
+  for (const Event& event : insertion.events)
+    std::printf("%7.3f s  %-16s %9.2f mm %10.4f N %11.2f mm\n", event.time, name_of(event.kind).c_str(),
+                event.hand_travel / units::mm, event.hand_force, event.free_length / units::mm);
+}
+
+void print_summary(const Insertion& insertion, double wall_time, const std::string& out) {
+  const Summary& summary = insertion.summary;
+  std::printf("%s: %s\n", name_of(outcome(insertion.events)).c_str(), in_words(outcome(insertion.events)));
+  print_events(insertion);
+  std::printf("\npeak hand force   %.4f N at %.2f mm of travel\n", summary.peak_hand_force,
+              summary.peak_hand_force_travel / units::mm);
+  if (summary.rupture_force) std::printf("tip force at the puncture %.4f N\n", *summary.rupture_force);
+  std::printf("largest bow       %.2f mm\n", summary.peak_deflection / units::mm);
+  std::printf("energy residual   %.2e J, %.3f %% of the work of the hand\n", summary.peak_energy_residual,
+              100.0 * relative_energy_residual(summary));
+  std::printf("tissue            %d tetrahedra, %d nodes\n", insertion.tetrahedra, insertion.nodes);
+  std::printf("speed             %.1f s simulated in %.1f s, %.1f times real time\n", summary.time, wall_time,
+              wall_time > 0.0 ? summary.time / wall_time : 0.0);
+  std::printf("state hash        %s\n", hex(insertion.state_hash).c_str());
+  if (out.empty())
+    std::printf("\nNo files were written; --out DIR keeps trace.csv, events.csv and summary.json.\n");
+  else
+    std::printf("\nWritten into %s\n", out.c_str());
+}
+
+// 0, or the exit code of what went wrong on the way, said on standard error.
+int judged(const Insertion& insertion, bool recorded) {
+  const std::string when = "at " + std::to_string(insertion.summary.time) + " s";
+  if (insertion.summary.health != Health::good)
+    return refused("the run failed " + when + ": " + complaint(insertion.summary.health), run_failed);
+  if (insertion.interrupted && interrupted())
+    return refused("interrupted " + when + (recorded ? "; the files hold the run up to there" : ""),
+                   run_failed);
+  return done;
+}
+
+int run(const RunOptions& options) {
+  if (options.vtu_every > 0 && options.out.empty())
+    return refused("--vtu-every needs a folder for its frames; add --out DIR", bad_input);
+  const Result<Scene> scene = io::read_scene(options.scene, options.settings);
+  if (!scene) return refused(scene.error().sentence, bad_input);
+  Result<Simulation> simulation = io::build_simulation(*scene);
+  if (!simulation) return refused(simulation.error().sentence, bad_input);
+  std::optional<io::RunFolder> folder;
+  if (!options.out.empty()) {
+    Result<io::RunFolder> made = io::RunFolder::create(options.out, options.vtu_every);
+    if (!made) return refused(made.error().sentence, bad_input);
+    folder.emplace(std::move(made).value());
+  }
+
+  catch_interruptions();
+  const auto start = Clock::now();
+  double writing = 0.0;  // s of wall time that was not spent on steps
+  const Insertion insertion = [&] {
+    Progress progress("step", io::step_count(*scene), options.quiet);
+    return io::run_insertion(*simulation, [&, completed = 0L](const Simulation& now) mutable {
+      const auto before = Clock::now();
+      progress.update(completed++);
+      const bool written = !folder || folder->record(now);
+      writing += seconds_since(before);
+      return written && !interrupted();
+    });
+  }();
+  const double wall_time = seconds_since(start) - writing;
+
+  if (folder)
+    if (const auto failed = folder->finish(insertion, wall_time))
+      return refused(failed->sentence, run_failed);
+  if (options.json)
+    std::cout << io::json_text(io::summary_json(insertion, wall_time)) << std::flush;
+  else if (!options.quiet)
+    print_summary(insertion, wall_time, options.out);
+  if (!std::cout || std::fflush(stdout) != 0)
+    return refused("standard output cannot be written to its end", run_failed);
+  return judged(insertion, folder.has_value());
+}
+
+}  // namespace
+
+void add_run(CLI::App& program, Work& work) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* verb = program.add_subcommand("run", "one insertion, headless");
+  verb->add_option("SCENE", options->scene, "scene file (TOML); docs/scene-keys.md lists its keys")
+      ->required();
+  add_settings(*verb, options->settings);
+  verb->add_option("--out", options->out,
+                   "folder for trace.csv, events.csv and summary.json; without it nothing is written")
+      ->type_name("DIR");
+  verb->add_option("--vtu-every", options->vtu_every, "keep a drawing for ParaView every N steps")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1'000'000'000));
+  verb->add_flag("--json", options->json, "print summary.json on standard output, and nothing else there");
+  verb->add_flag("--quiet", options->quiet, "print nothing but errors (and what --json asks for)");
+  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+}
+
+}  // namespace acus::app

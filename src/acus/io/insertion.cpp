@@ -1,0 +1,51 @@
+#include "acus/io/insertion.h"
+
+#include <cmath>
+
+#include "acus/io/mesh_file.h"
+#include "acus/sim/hand.h"
+
+namespace acus::io {
+
+Result<Simulation> build_simulation(const Scene& scene) {
+  if (scene.tissue.rigid || scene.tissue.mesh.empty()) return Simulation::build(scene);
+  const Result<mesh::TetMesh> mesh = read_mesh(scene.tissue.mesh, scene.tissue.mesh_unit);
+  if (!mesh) return mesh.error();
+  return Simulation::build(scene, &*mesh);
+}
+
+int step_count(const Scene& scene) {
+  constexpr double rounding = 1e-9;  // of a step: a duration of 8.0 s is 8000 steps of 1 ms, not 8001
+  return static_cast<int>(std::ceil(duration(scene.hand) / scene.run.time_step - rounding));
+}
+
+Insertion run_insertion(Simulation& simulation, const Observer& observer) {
+  const Scene& scene = simulation.scene();
+  const int steps = step_count(scene);
+  Insertion insertion;
+  insertion.scene = scene;
+  insertion.nodes = static_cast<int>(simulation.tissue().nodes.size());
+  insertion.tetrahedra = static_cast<int>(simulation.tissue().tets.size());
+  insertion.trace.reserve(static_cast<std::size_t>(steps / scene.run.trace_stride) + 2);
+  insertion.trace.push_back(simulation.frame());
+  insertion.interrupted = observer && !observer(simulation);
+  for (int step = 1; step <= steps && !insertion.interrupted; ++step) {
+    const Frame& frame = simulation.step(hand_travel(scene.hand, step * scene.run.time_step));
+    add(insertion.summary, frame, simulation.events());
+    insertion.interrupted = observer && !observer(simulation);
+    const bool last = step == steps || insertion.interrupted || frame.health != Health::good;
+    if (last || step % scene.run.trace_stride == 0) insertion.trace.push_back(frame);
+    if (frame.health != Health::good) break;
+  }
+  insertion.events.assign(simulation.events().begin(), simulation.events().end());
+  insertion.state_hash = simulation.state_hash();
+  return insertion;
+}
+
+Result<Insertion> run_insertion(const Scene& scene, const Observer& observer) {
+  Result<Simulation> simulation = build_simulation(scene);
+  if (!simulation) return simulation.error();
+  return run_insertion(*simulation, observer);
+}
+
+}  // namespace acus::io

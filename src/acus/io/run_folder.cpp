@@ -53,8 +53,9 @@ std::optional<Error> RunFolder::write_drawing(const Simulation& simulation) {
     return write_file(path_ + "/" + drawings_.back().file, text);
   };
   if (!simulation.tissue().nodes.empty()) {
-    const TissueState tissue{simulation.tissue(), simulation.positions(), simulation.velocities(),
-                             simulation.von_mises()};
+    const std::vector<Vec3> velocities = simulation.velocities();
+    const std::vector<double> von_mises = simulation.von_mises();
+    const TissueState tissue{simulation.tissue(), simulation.positions(), velocities, von_mises};
     if (auto failed = write(0, "tissue_" + number + ".vtu", tissue_vtu(tissue))) return failed;
   }
   return write(1, "needle_" + number + ".vtp", needle_vtp(simulation.needle_line(needle_points)));

@@ -119,9 +119,13 @@ struct FieldReader {
   }
 };
 
-std::vector<std::string> key_names() {
+// What could stand where `name` stands: tables at the top, keys below.
+std::vector<std::string> names_in_place_of(const std::string& name) {
   std::vector<std::string> names;
-  for (const SceneKey& key : scene_keys()) names.push_back(key.name);
+  for (const SceneKey& key : scene_keys()) {
+    const bool at_top = name.find('.') == std::string::npos;
+    names.push_back(at_top ? key.name.substr(0, key.name.find('.')) : key.name);
+  }
   return names;
 }
 
@@ -132,7 +136,7 @@ bool is_table_name(const std::string& name) {
 }
 
 std::string unknown_key(const std::string& name) {
-  const std::string near = nearest_word(name, key_names());
+  const std::string near = nearest_word(name, names_in_place_of(name));
   return name + " is not a key of a scene; " +
          (near.empty() ? "`acus check --keys` lists them all" : "did you mean " + near + "?");
 }

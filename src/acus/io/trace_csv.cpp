@@ -14,18 +14,26 @@ struct Column {
   std::string (*text)(const Record&);
 };
 
-template <class Record, std::size_t count>
-std::string header(const std::array<Column<Record>, count>& columns) {
+// The cells joined by commas, as one line.
+template <class Cells, class Text>
+std::string line_of(const Cells& cells, const Text& text) {
   std::string line;
-  for (const auto& column : columns) line += (line.empty() ? "" : ",") + std::string(column.name);
-  return line + "\n";
+  for (const auto& cell : cells) {
+    line += text(cell);
+    line += ',';
+  }
+  line.back() = '\n';
+  return line;
 }
 
-template <class Record, std::size_t count>
-std::string row(const std::array<Column<Record>, count>& columns, const Record& record) {
-  std::string line;
-  for (const auto& column : columns) line += (line.empty() ? "" : ",") + column.text(record);
-  return line + "\n";
+template <class Columns>
+std::string header(const Columns& columns) {
+  return line_of(columns, [](const auto& column) { return std::string(column.name); });
+}
+
+template <class Columns, class Record>
+std::string row(const Columns& columns, const Record& record) {
+  return line_of(columns, [&](const auto& column) { return column.text(record); });
 }
 
 #define ACUS_NUMBER(member) [](const auto& r) { return decimal_text(r.member); }

@@ -5,6 +5,8 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <initializer_list>
+#include <string_view>
 
 #include "acus/base/decimal.h"
 
@@ -14,6 +16,12 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "the files say byte_order=\"LittleEndian\"");
 
 constexpr int vtk_tetra = 10;  // the cell type's number in VTK
+
+std::string joined(std::initializer_list<std::string_view> pieces) {
+  std::string text;
+  for (std::string_view piece : pieces) text += piece;
+  return text;
+}
 
 std::string base64(const std::string& bytes) {
   static constexpr char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -36,8 +44,8 @@ std::string data_array(const char* type, const char* name, int components, std::
   std::string raw(sizeof bytes + bytes, '\0');
   std::memcpy(raw.data(), &bytes, sizeof bytes);
   if (bytes > 0) std::memcpy(raw.data() + sizeof bytes, values.data(), bytes);
-  return std::string("<DataArray type=\"") + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
-         std::to_string(components) + "\" format=\"binary\">" + base64(raw) + "</DataArray>\n";
+  return joined({"<DataArray type=\"", type, "\" Name=\"", name, "\" NumberOfComponents=\"",
+                 std::to_string(components), "\" format=\"binary\">", base64(raw), "</DataArray>\n"});
 }
 
 std::string numbers(const char* name, std::span<const double> values) {
@@ -53,9 +61,9 @@ std::string integers(const char* name, std::span<const std::int32_t> values) {
 }
 
 std::string vtk_file(const char* type, const std::string& content) {
-  return std::string("<?xml version=\"1.0\"?>\n<VTKFile type=\"") + type +
-         "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<" + type + ">\n" +
-         content + "</" + type + ">\n</VTKFile>\n";
+  return joined({"<?xml version=\"1.0\"?>\n<VTKFile type=\"", type,
+                 "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<", type, ">\n",
+                 content, "</", type, ">\n</VTKFile>\n"});
 }
 
 std::string tetrahedra(const std::vector<mesh::Tet>& tets) {
@@ -77,31 +85,32 @@ std::string tissue_vtu(const TissueState& tissue) {
     displacements[i] = tissue.positions[i] - tissue.rest.nodes[i];
   return vtk_file(
       "UnstructuredGrid",
-      "<Piece NumberOfPoints=\"" + std::to_string(tissue.positions.size()) + "\" NumberOfCells=\"" +
-          std::to_string(tissue.rest.tets.size()) + "\">\n<PointData Vectors=\"displacement\">\n" +
-          vectors("displacement", displacements) + vectors("velocity", tissue.velocities) +
-          "</PointData>\n<CellData Scalars=\"von_mises\">\n" + numbers("von_mises", tissue.von_mises) +
-          integers("region", tissue.rest.region) + "</CellData>\n<Points>\n" +
-          vectors("points", tissue.positions) + "</Points>\n" + tetrahedra(tissue.rest.tets) + "</Piece>\n");
+      joined({"<Piece NumberOfPoints=\"", std::to_string(tissue.positions.size()), "\" NumberOfCells=\"",
+              std::to_string(tissue.rest.tets.size()), "\">\n<PointData Vectors=\"displacement\">\n",
+              vectors("displacement", displacements), vectors("velocity", tissue.velocities),
+              "</PointData>\n<CellData Scalars=\"von_mises\">\n", numbers("von_mises", tissue.von_mises),
+              integers("region", tissue.rest.region), "</CellData>\n<Points>\n",
+              vectors("points", tissue.positions), "</Points>\n", tetrahedra(tissue.rest.tets),
+              "</Piece>\n"}));
 }
 
 std::string needle_vtp(std::span<const Vec3> line) {
   std::vector<std::int32_t> along(line.size());
   for (std::size_t i = 0; i < along.size(); ++i) along[i] = static_cast<std::int32_t>(i);
   const std::array<std::int32_t, 1> end = {static_cast<std::int32_t>(line.size())};
-  return vtk_file("PolyData", "<Piece NumberOfPoints=\"" + std::to_string(line.size()) +
-                                  "\" NumberOfVerts=\"0\" NumberOfLines=\"1\" NumberOfStrips=\"0\" "
-                                  "NumberOfPolys=\"0\">\n<Points>\n" +
-                                  vectors("points", line) + "</Points>\n<Lines>\n" +
-                                  integers("connectivity", along) + integers("offsets", end) +
-                                  "</Lines>\n</Piece>\n");
+  return vtk_file(
+      "PolyData",
+      joined({"<Piece NumberOfPoints=\"", std::to_string(line.size()),
+              "\" NumberOfVerts=\"0\" NumberOfLines=\"1\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n",
+              "<Points>\n", vectors("points", line), "</Points>\n<Lines>\n", integers("connectivity", along),
+              integers("offsets", end), "</Lines>\n</Piece>\n"}));
 }
 
 std::string pvd(std::span<const TimedFile> files) {
   std::string list;
   for (const TimedFile& entry : files)
-    list += "<DataSet timestep=\"" + decimal_text(entry.time) + "\" part=\"" + std::to_string(entry.part) +
-            "\" file=\"" + entry.file + "\"/>\n";
+    list += joined({"<DataSet timestep=\"", decimal_text(entry.time), "\" part=\"",
+                    std::to_string(entry.part), "\" file=\"", entry.file, "\"/>\n"});
   return "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n" + list +
          "</Collection>\n</VTKFile>\n";
 }

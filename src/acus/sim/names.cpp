@@ -28,7 +28,8 @@ std::string name_of(Outcome outcome) {
 }
 
 std::string name_of(Health health) {
-  return chosen(std::array{"good", "solver_broke_down", "not_finite", "needle_folded"}, health);
+  return chosen(std::array{"good", "solver_broke_down", "not_finite", "needle_folded", "hub_at_entry"},
+                health);
 }
 
 std::string name_of(needle::Support support) {

@@ -60,6 +60,8 @@ const char* complaint(Health health) {
     case Health::needle_folded:
       return "the needle folded over, beyond what the column model holds for; end the movement of the hand "
              "earlier";
+    case Health::hub_at_entry:
+      return "the hub reached the entry and no free needle is left; end the movement of the hand earlier";
   }
   return "";
 }

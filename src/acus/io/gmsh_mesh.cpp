@@ -1,7 +1,6 @@
 #include "acus/io/gmsh_mesh.h"
 
 #include <algorithm>
-#include <bit>
 #include <iterator>
 #include <string>
 

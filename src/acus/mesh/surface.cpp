@@ -1,6 +1,7 @@
 #include "acus/mesh/surface.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace acus::mesh {
 namespace {

@@ -10,9 +10,7 @@ set_target_properties(acus_engine PROPERTIES EXPORT_NAME acus)
 add_library(acus::acus ALIAS acus_engine)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/acus)
-if(TARGET acus)
-  install(TARGETS acus RUNTIME)
-endif()
+install(TARGETS acus RUNTIME)
 install(TARGETS acus_engine acus_base acus_numeric acus_mesh acus_tissue acus_needle acus_coupling acus_force acus_sim
         EXPORT acus ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/acus)
 install(DIRECTORY src/acus/base src/acus/numeric src/acus/mesh src/acus/tissue src/acus/needle src/acus/coupling

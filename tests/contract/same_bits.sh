@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # The same scene ends in the same bits whoever compiled the program: g++ optimised, g++ with sanitizers and
 # assertions, clang. The scenes buckle, puncture, cut, slide, stop, withdraw and enter again, so that every law has its
-# part in the hash of the last state. Exit code 77 (not run) unless all three programs are built, as `./dev test` does.
+# part in the hash of the last state. Exit code 77 (not run) outside `./dev test`, which has just built all three programs:
+# an old one would only show that the source has changed.
 set -euo pipefail
 cd "$1"
 scratch=$(mktemp -d)
@@ -13,9 +14,7 @@ hash_of() {
     grep -oE '"state_hash": *"[0-9a-f]{16}"'
 }
 
-for build in release dev clang; do
-  [[ -x build/$build/acus ]] || { echo "not run: build/$build/acus is not built"; exit 77; }
-done
+[[ -n ${ACUS_PROGRAMS_ARE_FRESH:-} ]] || { echo "not run: only ./dev test builds all three programs"; exit 77; }
 for scene in quick pause_withdraw_reinsert; do
   for build in release dev clang; do
     hash_of "$build" "$scene" >"$scratch/$build"

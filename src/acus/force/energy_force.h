@@ -7,60 +7,43 @@
 // tissue that stores energy pull the hand in.
 #pragma once
 
-#include <array>
 #include <cmath>
 
 namespace acus::force {
 
-// The balance is taken over the last stretch of one-way travel at least this long, m: at rest dx -> 0, and
-// the last value stands.
-inline constexpr double energy_force_travel = 0.1e-3;
+// The balance is taken over the last one-way travel of at least this length, m: at rest dx -> 0, and the last
+// value stands. At the paper's hand speeds it is less than one step of 1 ms.
+inline constexpr double energy_force_travel = 5e-6;
 
 class EnergyForce {
  public:
+  EnergyForce() = default;
+  explicit EnergyForce(double travel) : anchor_{travel, 0.0}, last_{travel, 0.0} {}
+
   // Takes in the hand's travel [m] and where its work has gone [J], one step after another. Returns N,
-  // positive when it pushes the hand back out. After a start or a turn it keeps its value until the hand has
-  // moved enough.
+  // positive when it pushes the hand back out.
   double after(double travel, double accounted) {
-    if (count_ == 0 || (travel - latest().travel) * heading_ < 0.0) restart(travel, accounted);
-    if (heading_ == 0.0 && travel != latest().travel) heading_ = travel > latest().travel ? 1.0 : -1.0;
-    if (std::abs(travel - latest().travel) >= energy_force_travel / samples) push({travel, accounted});
-    for (int back = 1; back <= count_; ++back) {
-      const Sample& from = ring_[(first_ + count_ - back) % ring_.size()];
-      if (std::abs(travel - from.travel) < energy_force_travel) continue;
-      value_ = (accounted - from.accounted) / (travel - from.travel);
-      break;
+    const double step = travel - last_.travel;
+    if (step * heading_ < 0.0)
+      anchor_ = last_;  // a turn: friction on the way there must not count on the way back
+    if (step != 0.0) heading_ = step;
+    last_ = {travel, accounted};
+    if (std::abs(travel - anchor_.travel) >= energy_force_travel) {
+      value_ = (accounted - anchor_.accounted) / (travel - anchor_.travel);
+      anchor_ = last_;
     }
     return value_;
   }
 
  private:
   struct Sample {
-    double travel = 0.0;
-    double accounted = 0.0;
+    double travel = 0.0;     // m
+    double accounted = 0.0;  // J
   };
-  static constexpr int samples = 20;
-
-  const Sample& latest() const { return ring_[(first_ + count_ - 1) % ring_.size()]; }
-  void restart(double travel, double accounted) {
-    count_ = 0;
-    heading_ = 0.0;
-    push({travel, accounted});
-  }
-  void push(const Sample& sample) {
-    if (count_ == static_cast<int>(ring_.size())) {
-      first_ = (first_ + 1) % ring_.size();
-      --count_;
-    }
-    ring_[(first_ + count_) % ring_.size()] = sample;
-    ++count_;
-  }
-
-  std::array<Sample, samples + 1> ring_{};
-  std::size_t first_ = 0;
-  int count_ = 0;
-  double heading_ = 0.0;  // +1 in, -1 out, 0 unknown
-  double value_ = 0.0;
+  Sample anchor_;
+  Sample last_;
+  double heading_ = 0.0;  // m, the last step that was not zero
+  double value_ = 0.0;    // N
 };
 
 }  // namespace acus::force

@@ -90,6 +90,9 @@ Complaint path_complaint(const Scene& scene) {
            std::to_string(path.size());
   if (path.front().time != 0.0)
     return "hand.path must begin at time 0, but begins at " + decimal_text(path.front().time) + " s";
+  if (path.front().travel > 0.0)
+    return "hand.path must begin at first touch or before it, at a travel of 0 mm or less, but begins at " +
+           in_mm(path.front().travel);
   for (std::size_t i = 1; i < path.size(); ++i)
     if (!(path[i].time > path[i - 1].time))
       return "hand.path must have increasing times, but " + decimal_text(path[i].time) + " s follows " +

@@ -32,6 +32,7 @@ Result<Simulation> Simulation::build(const Scene& scene, const mesh::TetMesh* me
   parts->scratch = build_scratch(parts->model);
   if (!parts->model.rigid())
     tissue::corotate_into(parts->scratch.corotation, parts->model.tissue, parts->state.position);
+  parts->frame.hand_travel = parts->frame.tip_depth = parts->state.hub_travel;
   parts->frame.free_length = scene.needle.length;
   parts->frame.critical_load =
       parts->model.column.critical_load_times_length_squared / (scene.needle.length * scene.needle.length);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "acus/sim/hand.h"
+
 namespace acus {
 
 NeedlePlace place_needle(const Model& m, const State& s) {
@@ -24,6 +26,9 @@ NeedlePlace place_needle(const Model& m, const State& s) {
 
 State initial_state(const Model& m) {
   State s;
+  // The hand may start before first touch; the tip is as far away then.
+  s.hub_travel = s.tip_position = s.tip_elongation = hand_travel(m.scene.hand, 0.0);
+  s.energy_force = force::EnergyForce(s.hub_travel);
   if (m.rigid()) return s;
   s.position = m.mesh.nodes;
   s.velocity.assign(static_cast<std::size_t>(m.tissue.free_nodes) * numeric::node_stride, 0.0);

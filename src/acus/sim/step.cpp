@@ -214,6 +214,7 @@ void advance(const Model& m, State& s, Scratch& w, double hub_travel, Frame& fra
   }
   s.time += m.scene.run.time_step;
   s.hub_travel = hub_travel;
+  if (m.rigid()) s.tip_position = std::min(hub_travel, 0.0);  // the stop holds the tip only from one side
   observed.column_load =
       needle::column_response(m.column, before.place.free_length, hub_travel - s.tip_position).load;
   if (m.rigid()) observed.tip_force = std::max(observed.column_load, 0.0);

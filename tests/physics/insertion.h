@@ -1,0 +1,79 @@
+// Runs a scene in memory and keeps all that is seen of it.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "acus/force/energy_force.h"
+#include "acus/needle/buckling.h"
+#include "acus/sim/hand.h"
+#include "acus/sim/simulation.h"
+
+namespace acus::physics {
+
+struct Insertion {
+  Scene scene;
+  std::vector<Frame> frames;
+  std::vector<Event> events;
+  std::uint64_t hash = 0;
+
+  std::optional<Event> first(EventKind kind) const {
+    const auto it =
+        std::find_if(events.begin(), events.end(), [&](const Event& e) { return e.kind == kind; });
+    return it == events.end() ? std::nullopt : std::optional<Event>(*it);
+  }
+  // The first frame at or after a travel of the hand. m
+  const Frame& at_travel(double travel) const {
+    for (const Frame& f : frames)
+      if (f.hand_travel >= travel - 1e-12) return f;
+    ADD_FAILURE() << "the hand never came to " << travel << " m";
+    return frames.back();
+  }
+};
+
+// Steps the scene through its hand's whole plan, or until `stop` says so.
+inline Insertion insert(const Scene& scene, const std::function<bool(const Frame&)>& stop = {}) {
+  auto simulation = Simulation::build(scene);
+  if (!simulation) {
+    ADD_FAILURE() << simulation.error().sentence;
+    return {};
+  }
+  Insertion run;
+  run.scene = scene;
+  const double h = scene.run.time_step;
+  const long steps = std::lround(duration(scene.hand) / h);
+  for (long k = 1; k <= steps; ++k) {
+    const Frame& frame = simulation->step(hand_travel(scene.hand, static_cast<double>(k) * h));
+    run.frames.push_back(frame);
+    if (frame.health != Health::good) {
+      ADD_FAILURE() << "step " << k << " failed with health " << static_cast<int>(frame.health);
+      break;
+    }
+    if (stop && stop(frame)) break;
+  }
+  run.events.assign(simulation->events().begin(), simulation->events().end());
+  run.hash = simulation->state_hash();
+  return run;
+}
+
+// Table I's tissue, small enough for a test, pushed `travel` [m] at `speed` [m/s].
+inline Scene table_one(double length, double travel, double speed = 30e-3, int tetrahedra = 1200) {
+  Scene scene;
+  scene.needle.length = length;
+  scene.tissue.tetrahedra = tetrahedra;
+  scene.hand.speed = speed;
+  scene.hand.travel = travel;
+  return scene;
+}
+
+inline double euler_load(const Scene& scene, double free_length) {
+  return needle::critical_load(needle::bending_rigidity(scene.needle), free_length, scene.needle.support);
+}
+
+}  // namespace acus::physics

@@ -1,0 +1,71 @@
+// The energy ledger closes, and the force it implies is the one at the hub.
+#include <map>
+
+#include "insertion.h"
+
+using namespace acus;
+using namespace acus::physics;
+
+namespace {
+
+struct Case {
+  const char* name;
+  Scene scene;
+};
+
+std::vector<Case> cases() {
+  std::vector<Case> all;
+  all.push_back({"straight_puncture", table_one(0.15, 30e-3)});
+  all.push_back({"buckled", table_one(0.2, 40e-3)});
+  Scene snap = table_one(0.2, 45e-3);
+  snap.contact.rupture_force = 0.66;
+  snap.contact.friction = 20.0;
+  all.push_back({"snap", snap});
+  Scene paper = table_one(0.15, 30e-3);
+  paper.tissue.element = Element::linear;
+  paper.contact.coupling = Coupling::nearest_node;
+  all.push_back({"nearest_node", paper});
+  Scene slit = table_one(0.15, 30e-3);
+  slit.contact.crack = Crack::slit;
+  slit.needle.support = needle::Support::clamped_clamped;
+  all.push_back({"slit_clamped", slit});
+  Scene back = table_one(0.15, 20e-3);
+  back.hand.kind = HandKind::path;
+  back.hand.path = {{0.0, 0.0}, {1.0, 20e-3}, {1.2, 20e-3}, {2.0, 2e-3}};
+  all.push_back({"withdrawal", back});
+  return all;
+}
+
+const Insertion& run_of(const Case& of) {
+  static std::map<std::string, Insertion> runs;
+  const auto known = runs.find(of.name);
+  return known != runs.end() ? known->second : runs.emplace(of.name, insert(of.scene)).first->second;
+}
+
+class Ledger : public testing::TestWithParam<Case> {};
+INSTANTIATE_TEST_SUITE_P(Of, Ledger, testing::ValuesIn(cases()),
+                         [](const auto& of) { return std::string(of.param.name); });
+
+// The demand is 1 % of the hand's work; what is left is the solver's tolerance.
+TEST_P(Ledger, closes) {
+  const Insertion& run = run_of(GetParam());
+  double most_work = 0.0;
+  for (const Frame& f : run.frames) most_work = std::max(most_work, std::abs(f.ledger.work_hand));
+  for (const Frame& f : run.frames) ASSERT_LT(std::abs(f.energy_residual), 1e-5 * most_work) << f.time;
+  // Not by hiding: what the integrator dissipates is a small part of what physics does.
+  EXPECT_LT(run.frames.back().ledger.work_numerical, 0.15 * most_work);
+}
+
+// Eq. 14-18 over every step of the moving hand gives the hub's reaction within 3 % of the peak.
+TEST_P(Ledger, energy_force_is_the_reaction_at_the_hub) {
+  const Insertion& run = run_of(GetParam());
+  double peak = 0.0;
+  for (const Frame& f : run.frames) peak = std::max(peak, std::abs(f.hand_force));
+  for (std::size_t k = 1; k < run.frames.size(); ++k) {
+    const Frame& now = run.frames[k];
+    if (std::abs(now.hand_travel - run.frames[k - 1].hand_travel) < force::energy_force_travel) continue;
+    ASSERT_NEAR(now.energy_force, now.hand_force, 0.03 * peak) << now.time;
+  }
+}
+
+}  // namespace

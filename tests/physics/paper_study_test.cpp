@@ -1,0 +1,78 @@
+// The paper's Fig. 7: reaction force against insertion for lengths and radii.
+#include "insertion.h"
+
+using namespace acus;
+using namespace acus::physics;
+using needle::Support;
+
+namespace {
+
+Scene fig7(double length, double radius, Support support, double travel, int tetrahedra = 3000) {
+  Scene scene = table_one(length, travel, 40e-3, tetrahedra);
+  scene.needle.radius = radius;
+  scene.needle.support = support;
+  scene.tissue.element = Element::linear;
+  return scene;
+}
+
+TEST(Fig7a, clamped_pinned_150_mm_punctures_straight_at_the_rupture_force) {
+  const Insertion run = insert(fig7(0.15, 0.3e-3, Support::clamped_pinned, 20e-3));
+  EXPECT_FALSE(run.first(EventKind::buckling));
+  const auto puncture = run.first(EventKind::puncture);
+  ASSERT_TRUE(puncture);
+  EXPECT_NEAR(puncture->hand_force, 1.0, 0.01);
+}
+
+// 10 k tetrahedra; 0.642 N = 2.04575 pi^2 EI / L^2. The tissue gives way under the tip by millimetres before
+// that, which shifts the travel at buckling, not the load.
+TEST(Fig7a, clamped_pinned_200_mm_buckles_and_never_punctures_however_far_it_is_pushed) {
+  Scene scene = fig7(0.2, 0.3e-3, Support::clamped_pinned, 120e-3, 10000);
+  scene.hand.kind =
+      HandKind::path;  // slowly to the buckling load, then far beyond the elastica's greatest load
+  scene.hand.path = {{0.0, 0.0}, {0.3, 12e-3}, {1.0, 125e-3}};
+  const Insertion run = insert(scene);
+  const auto buckling = run.first(EventKind::buckling);
+  ASSERT_TRUE(buckling);
+  EXPECT_NEAR(buckling->hand_force, 0.642, 0.05 * 0.642);
+  EXPECT_GT(buckling->hand_travel, 2e-3);
+  EXPECT_FALSE(run.first(EventKind::puncture));
+  double greatest = 0.0;
+  for (const Frame& f : run.frames) greatest = std::max(greatest, f.hand_force);
+  EXPECT_NEAR(greatest, 1.14 * 0.642, 0.01 * 0.732);  // the clamped-pinned elastica's greatest load
+  EXPECT_LT(run.frames.back().hand_force, greatest);  // and it has been passed
+}
+
+TEST(Fig7a, clamped_pinned_300_mm_buckles_at_the_smaller_load) {
+  const Insertion run = insert(fig7(0.3, 0.3e-3, Support::clamped_pinned, 40e-3));
+  const auto buckling = run.first(EventKind::buckling);
+  ASSERT_TRUE(buckling);
+  EXPECT_NEAR(buckling->hand_force, 0.285, 0.05 * 0.285);
+  EXPECT_FALSE(run.first(EventKind::puncture));
+}
+
+TEST(Fig7a, pinned_pinned_all_three_lengths_buckle_below_the_rupture_force) {
+  const std::pair<double, double> cases[] = {{0.15, 0.558}, {0.2, 0.314}, {0.3, 0.140}};  // Eq. 10 on Table I
+  for (auto [length, load] : cases) {
+    const Insertion run = insert(fig7(length, 0.3e-3, Support::pinned_pinned, 25e-3));
+    const auto buckling = run.first(EventKind::buckling);
+    ASSERT_TRUE(buckling) << length;
+    EXPECT_NEAR(buckling->hand_force, load, 0.05 * load) << length;
+    EXPECT_FALSE(run.first(EventKind::puncture)) << length;
+  }
+}
+
+TEST(Fig7b, buckling_loads_rank_as_the_fourth_power_of_the_radius) {
+  double reference = 0.0;
+  for (double radius : {0.2e-3, 0.25e-3, 0.3e-3}) {
+    const Insertion run = insert(fig7(0.2, radius, Support::clamped_pinned, 14e-3));
+    const auto buckling = run.first(EventKind::buckling);
+    ASSERT_TRUE(buckling) << radius;
+    if (reference == 0.0) reference = buckling->hand_force / std::pow(radius, 4);
+    EXPECT_NEAR(buckling->hand_force / std::pow(radius, 4), reference, 0.01 * reference) << radius;
+  }
+  const Insertion thick = insert(fig7(0.2, 0.4e-3, Support::clamped_pinned, 14e-3));
+  EXPECT_FALSE(thick.first(EventKind::buckling));  // 2.03 N before it would
+  EXPECT_TRUE(thick.first(EventKind::puncture));
+}
+
+}  // namespace

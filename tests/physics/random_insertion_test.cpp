@@ -1,0 +1,61 @@
+// Random needles, tissues and hands: always finite, the ledger always closed, friction and cutting never
+// negative.
+#include <random>
+
+#include "insertion.h"
+
+using namespace acus;
+using namespace acus::physics;
+
+namespace {
+
+Scene random_scene(std::mt19937_64& random) {
+  const auto between = [&](double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(random);
+  };
+  Scene scene;
+  scene.needle.length = between(0.06, 0.3);
+  scene.needle.radius = between(0.1e-3, 0.7e-3);
+  scene.needle.youngs_modulus = between(40e9, 220e9);
+  scene.needle.support = needle::all_supports[random() % needle::all_supports.size()];
+  scene.needle.imperfection = between(0.0, 0.5e-3);
+  scene.tissue.tetrahedra = 700;
+  scene.tissue.youngs_modulus = between(5e3, 100e3);
+  scene.tissue.poisson_ratio = between(0.0, 0.49);
+  scene.tissue.element = random() % 2 ? Element::linear : Element::nodal_pressure;
+  scene.contact.rupture_force = between(0.05, 2.0);
+  scene.contact.fracture_toughness = between(0.0, 300.0);
+  scene.contact.crack = random() % 2 ? Crack::ring : Crack::slit;
+  scene.contact.friction = between(0.0, 100.0);
+  scene.contact.coupling = random() % 2 ? Coupling::embedded : Coupling::nearest_node;
+  scene.hand.kind = HandKind::path;
+  scene.hand.path = {{0.0, 0.0}};
+  for (int leg = 0; leg < 4; ++leg)
+    scene.hand.path.push_back({scene.hand.path.back().time + between(0.05, 0.15),
+                               between(-0.005, 0.45 * std::min(scene.needle.length, 0.1))});
+  return scene;
+}
+
+TEST(RandomInsertion, stays_finite_closes_the_ledger_and_creates_no_energy) {
+  std::mt19937_64 random(20240917);
+  for (int trial = 0; trial < 60; ++trial) {
+    const Scene scene = random_scene(random);
+    SCOPED_TRACE("trial " + std::to_string(trial));
+    const Insertion run = insert(scene);
+    ASSERT_FALSE(run.frames.empty());
+    double turnover = 1e-6, cut = 0.0, rubbed = 0.0;  // J
+    Frame before;
+    for (const Frame& f : run.frames) {
+      turnover += std::abs(f.ledger.work_hand - before.ledger.work_hand);
+      ASSERT_TRUE(std::isfinite(f.hand_force) && std::isfinite(f.energy_force)) << f.time;
+      ASSERT_GE(f.ledger.work_cutting, cut - 1e-15) << f.time;
+      ASSERT_GE(f.ledger.work_friction, rubbed - 1e-15) << f.time;
+      ASSERT_LT(std::abs(f.energy_residual), 0.01 * turnover) << f.time;
+      cut = f.ledger.work_cutting;
+      rubbed = f.ledger.work_friction;
+      before = f;
+    }
+  }
+}
+
+}  // namespace

@@ -43,6 +43,7 @@ int main_with_verbs(int argc, char** argv) {
   Work work;
   add_run(program, work);
   add_check(program, work);
+  add_bench(program, work);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -36,8 +36,8 @@ struct ColumnResponse {
   bool folded;                   // the bow is beyond max_shortening_ratio: the load is held at its last value
 };
 
-// Any finite shortening [m], negative for tension. Free length [m] of at least ten radii: a shorter stub is
-// no column, and its load falls so steeply in the far post-buckling of clamped_pinned that shortening no
+// Any finite shortening [m], negative for tension. Free length [m] of at least shortest_column radii: a stub
+// is no column, and its load falls so steeply in the far post-buckling of clamped_pinned that shortening no
 // longer fixes it.
 ColumnResponse column_response(const Column& column, double free_length, double shortening);
 

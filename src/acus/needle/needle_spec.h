@@ -21,6 +21,9 @@ struct NeedleSpec {
   double imperfection = 0.05e-3;  // m, amplitude of the initial bow at full length; seeds the bifurcation
 };
 
+// A free part shorter than this many radii is a stub, not a column; what follows holds only above it.
+inline constexpr double shortest_column = 10.0;
+
 // Symbols: A = pi r^2 [m^2], I = pi r^4 / 4 [m^4].
 inline double section_area(const NeedleSpec& n) { return std::numbers::pi * n.radius * n.radius; }
 inline double bending_rigidity(const NeedleSpec& n) {

@@ -118,8 +118,7 @@ Complaint hand_complaint(const Scene& scene) {
     if (auto said = path_complaint(scene)) return said;
   const std::string travel_key = hand.kind == HandKind::path ? "hand.path" : "hand.travel_mm";
   // A shorter stub outside the tissue is no column any more.
-  constexpr double shortest_stub = 10.0;  // radii
-  const double furthest = scene.needle.length - shortest_stub * scene.needle.radius;
+  const double furthest = scene.needle.length - needle::shortest_column * scene.needle.radius;
   if (furthest_travel(hand) > furthest)
     return travel_key + " must leave 10 needle radii of the needle outside, so reach at most " +
            in_mm(furthest) + ", but reaches " + in_mm(furthest_travel(hand));

@@ -101,8 +101,12 @@ std::uint64_t Simulation::state_hash() const {
   hash = hash_of(s.velocity, hash);
   hash = hash_of(s.channel.length, hash);
   hash = hash_of(s.channel.elongation, hash);
-  const double needle[] = {s.time,     s.hub_travel,    s.tip_position,
-                           s.tip_rate, s.channel_depth, s.tip_elongation};
+  const double needle[] = {static_cast<double>(s.steps),
+                           s.hub_travel,
+                           s.tip_position,
+                           s.tip_rate,
+                           s.channel_depth,
+                           s.tip_elongation};
   return hash_of(needle, hash);
 }
 

@@ -10,7 +10,7 @@
 namespace acus {
 
 struct State {
-  double time = 0.0;              // s
+  long steps = 0;                 // taken so far; time is this many time steps, without a sum's rounding
   std::vector<Vec3> position;     // m, [nodes]; advance
   numeric::NodeVector velocity;   // m/s, [free nodes]; solve_coupled
   numeric::NodeVector influence;  // m/s of the tissue per m/s of the needle, [free nodes]; solve_coupled

@@ -152,8 +152,7 @@ Health health_of(const State& s, const needle::ColumnResponse& column, const Nee
                  double radius) {
   if (!std::isfinite(s.tip_position) || !std::isfinite(force::accounted(s.ledger))) return Health::not_finite;
   if (column.folded) return Health::needle_folded;
-  constexpr double shortest_column = 10.0;  // radii
-  return place.free_length < shortest_column * radius ? Health::hub_at_entry : Health::good;
+  return place.free_length < needle::shortest_column * radius ? Health::hub_at_entry : Health::good;
 }
 
 // Needle and tissue to the end of the step. Returns whether the solve held.
@@ -180,7 +179,6 @@ bool move_together(const Model& m, State& s, Scratch& w, double hub_travel, Befo
 }
 
 void show(const State& s, const Observed& observed, const NeedlePlace& place, double bow, Frame& frame) {
-  frame.time = s.time;
   frame.hand_travel = s.hub_travel;
   frame.hand_force = observed.column_load;
   frame.tip_force = observed.tip_force;
@@ -212,7 +210,8 @@ void advance(const Model& m, State& s, Scratch& w, double hub_travel, Frame& fra
     probe(StepPart::cutting);
     account_tissue(m, s, w, before);
   }
-  s.time += m.scene.run.time_step;
+  ++s.steps;
+  frame.time = static_cast<double>(s.steps) * m.scene.run.time_step;
   s.hub_travel = hub_travel;
   if (m.rigid()) s.tip_position = std::min(hub_travel, 0.0);  // the stop holds the tip only from one side
   observed.column_load =

@@ -119,7 +119,7 @@ class BareTissue {
           numeric::multiply_diagonal_into(z, matrix.inverse_diagonal, r);
         });
     iterations = outcome.iterations;
-    EXPECT_LE(outcome.residual_norm, 1e-9 * norm);
+    EXPECT_LE(outcome.residual_norm, relative_residual * norm);
   }
   numeric::CgScratch scratch_;
 };

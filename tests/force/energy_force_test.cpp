@@ -61,16 +61,16 @@ TEST(EnergyForce, pulls_back_on_a_hand_that_drags_out_against_friction) {
 
 TEST(EnergyForce, keeps_its_value_at_rest_and_until_a_turn_has_gone_far_enough) {
   EnergyForce energy;
-  double force = 0.0, work = 0.0;
-  for (int i = 0; i <= 300; ++i) force = energy.after(i * 10e-6, work = 0.9 * i * 10e-6);
-  const double travel = 3e-3;
+  const double stride = 0.7e-6, inward = 0.9, outward = 0.1;  // m, N, N: friction both ways
+  double force = 0.0, travel = 0.0, work = 0.0;
+  for (int i = 0; i < 301; ++i) force = energy.after(travel += stride, work += inward * stride);
+  EXPECT_NEAR(force, inward, 1e-9);
   for (int i = 0; i < 5000; ++i) EXPECT_EQ(energy.after(travel, work), force);
-  for (double back = 0.1e-6; back < 0.99 * energy_force_travel; back += 0.1e-6)
-    EXPECT_EQ(energy.after(travel - back, work + 0.1 * back), force);
-  double after_turn = 0.0;
-  for (double back = energy_force_travel; back < 1e-3; back += 1e-6)
-    after_turn = energy.after(travel - back, work + 0.1 * back);
-  EXPECT_NEAR(after_turn, -0.1, 1e-9);
+  double back = 0.0;
+  for (; back < energy_force_travel - stride; back += stride)
+    EXPECT_EQ(energy.after(travel -= stride, work += outward * stride), force) << back;
+  for (int i = 0; i < 50; ++i)  // nothing of the way in counts on the way out
+    EXPECT_NEAR(energy.after(travel -= stride, work += outward * stride), -outward, 1e-9) << i;
 }
 
 TEST(EnergyForce, survives_a_hand_that_trembles) {

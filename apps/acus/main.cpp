@@ -44,6 +44,7 @@ int main_with_verbs(int argc, char** argv) {
   add_run(program, work);
   add_check(program, work);
   add_bench(program, work);
+  add_study(program, work);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -21,6 +21,10 @@ Progress::~Progress() {
   if (shown_) std::fputs(clear_line, stderr);
 }
 
+void Progress::say(const std::string& sentence) {
+  std::fprintf(stderr, "%s%s\n", shown_ ? clear_line : "", sentence.c_str());
+}
+
 void Progress::update(long completed) {
   const Clock::time_point now = Clock::now();
   if (!shown_ || completed <= 0 || now - last_shown_ < between_two_looks) return;

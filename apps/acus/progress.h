@@ -15,6 +15,8 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   void update(long completed);
+  // A line that stays, on a terminal or not.
+  void say(const std::string& sentence);
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -16,6 +16,7 @@ using Work = std::function<int()>;
 void add_run(CLI::App& program, Work& work);
 void add_check(CLI::App& program, Work& work);
 void add_bench(CLI::App& program, Work& work);
+void add_study(CLI::App& program, Work& work);
 
 // "acus: sentence" on standard error; returns `code`.
 int refused(const std::string& sentence, ExitCode code);

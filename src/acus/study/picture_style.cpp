@@ -34,7 +34,7 @@ font-family:system-ui,"Segoe UI","Helvetica Neue",Arial,"DejaVu Sans",sans-serif
 .picture .s3{stroke:var(--s3);stroke-dasharray:9 3 2 3}.picture .s4{stroke:var(--s4);stroke-dasharray:14 3}
 .picture .s5{stroke:var(--s5);stroke-dasharray:2 4}.picture .s6{stroke:var(--s6);stroke-dasharray:6 2 2 2 2 2}.picture .s7{stroke:var(--s7)}
 .picture .level.s0,.picture .level.s1,.picture .level.s2,.picture .level.s3,.picture .level.s4,.picture .level.s5,.picture .level.s6,.picture .level.s7{stroke-dasharray:2 3}
-.picture .leader{stroke-dasharray:none}
+.picture .leader,.picture .curve.solid{stroke-dasharray:none}.picture .curve.dashed{stroke-dasharray:6 4}
 .picture .f0{fill:var(--s0)}.picture .f1{fill:var(--s1)}.picture .f2{fill:var(--s2)}.picture .f3{fill:var(--s3)}
 .picture .f4{fill:var(--s4)}.picture .f5{fill:var(--s5)}.picture .f6{fill:var(--s6)}.picture .f7{fill:var(--s7)}
 .picture text.f0{fill:var(--s0)}.picture text.f1{fill:var(--s1)}.picture text.f2{fill:var(--s2)}.picture text.f3{fill:var(--s3)}

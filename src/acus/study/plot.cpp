@@ -56,6 +56,13 @@ void draw_key(Svg& svg, const std::vector<KeyEntry>& key, Point2 at) {
   }
 }
 
+std::string curve_classes(const Curve& curve) {
+  const char* dash = curve.dash == Curve::Dash::solid    ? " solid"
+                     : curve.dash == Curve::Dash::dashed ? " dashed"
+                                                         : "";
+  return "curve s" + std::to_string(curve.style) + dash;
+}
+
 struct Ranges {
   Limits x, y;
 };
@@ -111,7 +118,7 @@ Svg drawn(const Plot& plot) {
     svg.line({frame.left(), frame.y(level.y)}, {frame.right(), frame.y(level.y)},
              "level s" + std::to_string(level.style));
   for (const Curve& curve : plot.curves)
-    svg.path(in_pixels(frame, curve.points), false, "curve s" + std::to_string(curve.style), curve.label);
+    svg.path(in_pixels(frame, curve.points), false, curve_classes(curve), curve.label);
   svg.end_clip();
   for (const Mark& mark : plot.marks)
     draw_mark(svg, frame.at(mark.at), mark.shape, "mark f" + std::to_string(mark.style), mark.tooltip);

@@ -15,6 +15,7 @@ struct Curve {
   std::string label;           // written at its end; empty for none
   int style = 0;               // 0 to 7: colour and dash
   std::vector<Point2> points;  // in the units of the axes; x need not increase
+  enum class Dash { of_style, solid, dashed } dash = Dash::of_style;
 };
 
 struct Mark {

@@ -9,6 +9,12 @@ namespace {
 
 std::string pair(const Point2& p) { return joined({pixels(p[0]), " ", pixels(p[1])}); }
 
+std::string path_data(std::span<const Point2> points) {
+  std::string d = "M";
+  for (const Point2& p : points) d += joined({d.size() > 1 ? " " : "", pair(p)});
+  return d;
+}
+
 const char* word(Anchor anchor) {
   switch (anchor) {
     case Anchor::start:
@@ -79,12 +85,17 @@ void Svg::circle(Point2 centre, double radius, std::string_view classes, std::st
 void Svg::path(std::span<const Point2> points, bool closed, std::string_view classes,
                std::string_view tooltip) {
   if (points.empty()) return;
-  std::string d = "M";
-  for (const Point2& p : points) d += joined({d.size() > 1 ? " " : "", pair(p)});
-  if (closed) d += "Z";
   open("path", classes);
-  attribute("d", d);
+  attribute("d", joined({path_data(points), closed ? "Z" : ""}));
   close("path", tooltip);
+}
+
+void Svg::wide_path(std::span<const Point2> points, double width, std::string_view classes) {
+  if (points.empty()) return;
+  open("path", classes);
+  attribute("stroke-width", width);
+  attribute("d", path_data(points));
+  close("path", {});
 }
 
 void Svg::polygons(std::span<const CutPolygon> polygons, std::string_view classes) {
@@ -143,7 +154,10 @@ std::string Svg::element(std::string_view attributes, std::string_view head) con
                  "\" aria-label=\"", label, "\"", attributes, ">\n", head, body_, "</svg>\n"});
 }
 
-std::string Svg::inline_element() const { return element("", ""); }
+std::string Svg::inline_element() const {
+  constexpr double most_enlarged = 1.1;
+  return element(joined({" style=\"max-width:", pixels(most_enlarged * width_), "px\""}), "");
+}
 
 std::string Svg::document() const {
   const std::string w = pixels(width_), h = pixels(height_);

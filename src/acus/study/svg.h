@@ -28,6 +28,8 @@ class Svg {
   // A path of straight pieces; `closed` fills it.
   void path(std::span<const Point2> points, bool closed, std::string_view classes,
             std::string_view tooltip = {});
+  // An open path `width` pixels thick.
+  void wide_path(std::span<const Point2> points, double width, std::string_view classes);
   // Many closed polygons of one class in one element.
   void polygons(std::span<const CutPolygon> polygons, std::string_view classes);
   void pieces(std::span<const std::array<Point2, 2>> pieces, std::string_view classes);

@@ -1,0 +1,137 @@
+// acus study: a table of insertions, and a report of it.
+#include "acus/study/study.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "acus/io/output_file.h"
+#include "acus/study/markup.h"
+#include "acus/study/report.h"
+#include "acus/study/runner.h"
+#include "interruption.h"
+#include "progress.h"
+#include "verbs.h"
+
+namespace acus::app {
+namespace {
+
+namespace fs = std::filesystem;
+using study::joined;
+
+struct StudyOptions {
+  std::string study, out, figures;
+  std::vector<std::string> settings;
+  int jobs = 0;  // 0: one for each core
+  bool resume = false, quiet = false;
+};
+
+// A name without a folder or ending, which is no file here, is one of the studies that come with acus.
+std::string study_file(const std::string& given) {
+  if (fs::exists(given) || given.find('/') != std::string::npos || given.ends_with(".toml")) return given;
+  const fs::path shipped = fs::path(ACUS_STUDIES) / (given + ".toml");
+  return fs::exists(shipped) ? shipped.string() : given;
+}
+
+std::optional<Error> do_all_runs(const study::Study& study, const StudyOptions& options,
+                                 const std::string& out) {
+  Progress progress("step", study::step_count(study), options.quiet);
+  study::RunnerOptions runner;
+  runner.folder = out;
+  runner.jobs =
+      options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  runner.resume = options.resume;
+  runner.interrupted = [] { return interrupted(); };
+  runner.progress = [&](const study::Progress& now) {
+    if (!now.run.empty() && !options.quiet) progress.say(joined({now.run, ": ", now.outcome}));
+    progress.update(now.steps_done);
+  };
+  return study::do_runs(study, runner);
+}
+
+Result<std::vector<study::GroupRecords>> read_all(const study::Study& study, const std::string& out) {
+  std::vector<study::GroupRecords> groups;
+  for (const study::Group& group : study.groups) {
+    study::GroupRecords records{&group, {}};
+    for (const study::Run& run : group.runs) {
+      Result<study::RunRecord> record = study::read_run(study::run_folder(out, group, run), run);
+      if (!record) return record.error();
+      records.runs.push_back(std::move(*record));
+    }
+    groups.push_back(std::move(records));
+  }
+  return groups;
+}
+
+std::optional<Error> write_pictures(const study::Report& report, const fs::path& folder) {
+  if (auto wrong = io::make_folder(folder.string())) return wrong;
+  for (const study::PictureFile& picture : report.pictures) {
+    if (auto wrong = io::write_file((folder / picture.name).string(), picture.svg)) return wrong;
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> write_results(const study::Study& study, const std::vector<study::GroupRecords>& groups,
+                                   const StudyOptions& options, const fs::path& out) {
+  if (auto wrong = io::write_file((out / "results.csv").string(), study::results_csv(groups))) return wrong;
+  const study::Report report = study::build_report(study, groups);
+  if (auto wrong = io::write_file((out / "report.html").string(), report.html)) return wrong;
+  return write_pictures(report, options.figures.empty() ? out / "figures" : fs::path(options.figures));
+}
+
+int failed_runs(const std::vector<study::GroupRecords>& groups) {
+  int failed = 0;
+  for (const study::GroupRecords& group : groups) {
+    for (const study::RunRecord& run : group.runs) {
+      if (run.summary.value("completed", false)) continue;
+      ++failed;
+      refused(joined({"run ", group.group->name, "/", run.chosen.name,
+                      " ended early: ", run.summary.value("health", "")}),
+              run_failed);
+    }
+  }
+  return failed;
+}
+
+int run(const StudyOptions& options) {
+  const Result<study::Study> study = study::read_study(study_file(options.study), options.settings);
+  if (!study) return refused(study.error().sentence, bad_input);
+  const std::string out = options.out.empty() ? (fs::path("out") / study->name).string() : options.out;
+  if (const auto wrong = io::make_folder(out)) return refused(wrong->sentence, bad_input);
+  catch_interruptions();
+  if (const auto wrong = do_all_runs(*study, options, out)) return refused(wrong->sentence, bad_input);
+  if (interrupted())
+    return refused("interrupted; the same command with --resume goes on from here", run_failed);
+  const Result<std::vector<study::GroupRecords>> groups = read_all(*study, out);
+  if (!groups) return refused(groups.error().sentence, run_failed);
+  if (const auto wrong = write_results(*study, *groups, options, out))
+    return refused(wrong->sentence, run_failed);
+  if (!options.quiet)
+    std::printf("%s\n%s\n", (fs::path(out) / "results.csv").c_str(), (fs::path(out) / "report.html").c_str());
+  return failed_runs(*groups) == 0 ? done : run_failed;
+}
+
+}  // namespace
+
+void add_study(CLI::App& program, Work& work) {
+  auto options = std::make_shared<StudyOptions>();
+  CLI::App* verb = program.add_subcommand("study", "a table of insertions, and a report with plots");
+  verb->add_option("STUDY", options->study,
+                   "study file (TOML), or the name of a shipped one: paper, fig6, fig7a, ...")
+      ->required();
+  add_settings(*verb, options->settings);
+  verb->add_option("--jobs", options->jobs, "runs at a time; all cores without it")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  verb->add_option("--out", options->out,
+                   "folder for the table, the report and the runs; out/NAME without it")
+      ->type_name("DIR");
+  verb->add_option("--figures", options->figures, "folder for the pictures as files; DIR/figures without it")
+      ->type_name("DIR");
+  verb->add_flag("--resume", options->resume, "keep the runs that are finished already");
+  verb->add_flag("--quiet", options->quiet, "print nothing but errors");
+  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+}
+
+}  // namespace acus::app

@@ -1,0 +1,152 @@
+#include "acus/study/run_record.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string_view>
+
+#include "acus/base/hash.h"
+#include "acus/io/output_file.h"
+#include "acus/io/scene_toml.h"
+#include "acus/io/summary_json.h"
+#include "acus/io/text_file.h"
+#include "acus/study/markup.h"
+
+namespace acus::study {
+namespace {
+
+constexpr std::size_t longest_file = std::size_t{1} << 30;  // bytes; a trace of a minute is 20 MB
+constexpr const char* finished_mark = "finished";
+
+std::vector<std::string_view> split(std::string_view text, char by) {
+  std::vector<std::string_view> parts;
+  while (true) {
+    const auto end = text.find(by);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+double number(std::string_view text) { return std::strtod(std::string(text).c_str(), nullptr); }
+
+// Rows of comma-separated text without its last empty line.
+std::vector<std::vector<std::string_view>> csv_rows(std::string_view text) {
+  std::vector<std::vector<std::string_view>> rows;
+  for (std::string_view line : split(text, '\n')) {
+    if (!line.empty()) rows.push_back(split(line, ','));
+  }
+  return rows;
+}
+
+std::optional<Error> read_trace(const std::string& path, RunRecord& record) {
+  const Result<std::string> text = io::read_text(path, longest_file);
+  if (!text) return text.error();
+  const auto rows = csv_rows(*text);
+  if (rows.size() < 2) return Error{joined({path, ": holds no rows; run the study again without --resume"})};
+  for (std::size_t c = 0; c < rows[0].size(); ++c) {
+    if (rows[0][c] == "stage") continue;
+    std::vector<double>& values = record.trace[std::string(rows[0][c])];
+    values.reserve(rows.size() - 1);
+    for (std::size_t r = 1; r < rows.size(); ++r) {
+      if (rows[r].size() != rows[0].size())
+        return Error{
+            joined({path, ":", std::to_string(r + 1), ": has a row of another length than the header"})};
+      values.push_back(number(rows[r][c]));
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> read_events(const std::string& path, RunRecord& record) {
+  const Result<std::string> text = io::read_text(path, longest_file);
+  if (!text) return text.error();
+  const auto rows = csv_rows(*text);
+  for (std::size_t r = 1; r < rows.size(); ++r) {
+    // time_s, event, hand_travel_m, hand_force_N, free_length_m
+    if (rows[r].size() != 5)
+      return Error{joined({path, ":", std::to_string(r + 1), ": must have 5 columns"})};
+    record.events.push_back(
+        {std::string(rows[r][1]), number(rows[r][2]), number(rows[r][3]), number(rows[r][4])});
+  }
+  return std::nullopt;
+}
+
+Result<nlohmann::json> read_json(const std::string& path) {
+  const Result<std::string> text = io::read_text(path, longest_file);
+  if (!text) return text.error();
+  nlohmann::json json = nlohmann::json::parse(*text, nullptr, false);
+  if (json.is_discarded())
+    return Error{joined({path, ": is not JSON; run the study again without --resume"})};
+  return json;
+}
+
+}  // namespace
+
+const std::vector<double>& column(const RunRecord& record, const std::string& name) {
+  return record.trace.at(name);
+}
+
+const EventRecord* find_event(const RunRecord& record, const std::string& event) {
+  for (const EventRecord& one : record.events) {
+    if (one.event == event) return &one;
+  }
+  return nullptr;
+}
+
+const Snapshot* find_snapshot(const RunRecord& record, Moment moment) {
+  for (const Snapshot& shot : record.snapshots) {
+    if (shot.moment == moment) return &shot;
+  }
+  return nullptr;
+}
+
+std::string fingerprint(const Scene& scene) {
+  const std::string text = joined({io::versions_json().value("acus", ""), "\n", io::scene_toml(scene)});
+  const std::vector<int> letters(text.begin(), text.end());
+  return hex(hash_of(letters));
+}
+
+bool is_finished(const std::string& folder, const std::string& fingerprint) {
+  std::error_code missing;
+  const std::filesystem::path mark = std::filesystem::path(folder) / finished_mark;
+  if (!std::filesystem::exists(mark, missing)) return false;
+  const Result<std::string> text = io::read_text(mark.string(), longest_file);
+  return text && *text == fingerprint + "\n";
+}
+
+void mark_unfinished(const std::string& folder) {
+  std::error_code ignored;
+  std::filesystem::remove(std::filesystem::path(folder) / finished_mark, ignored);
+}
+
+std::optional<Error> mark_finished(const std::string& folder, const std::vector<Snapshot>& snapshots,
+                                   const std::string& fingerprint) {
+  const std::filesystem::path at(folder), mark = at / finished_mark, draft = at / "finished.draft";
+  if (auto wrong = io::write_file((at / "snapshots.json").string(), to_json(snapshots).dump() + "\n"))
+    return wrong;
+  // A rename is all or nothing: a run that was killed before it has no mark.
+  if (auto wrong = io::write_file(draft.string(), fingerprint + "\n")) return wrong;
+  std::error_code failure;
+  std::filesystem::rename(draft, mark, failure);
+  if (failure) return Error{joined({mark.string(), ": cannot be written: ", failure.message()})};
+  return std::nullopt;
+}
+
+Result<RunRecord> read_run(const std::string& folder, const Run& run) {
+  const std::filesystem::path at(folder);
+  RunRecord record{run.chosen, run.scene, {}, {}, {}, {}};
+  if (auto wrong = read_trace((at / "trace.csv").string(), record)) return *wrong;
+  if (auto wrong = read_events((at / "events.csv").string(), record)) return *wrong;
+  Result<nlohmann::json> summary = read_json((at / "summary.json").string());
+  if (!summary) return summary.error();
+  record.summary = std::move(*summary);
+  const Result<nlohmann::json> shots = read_json((at / "snapshots.json").string());
+  if (!shots) return shots.error();
+  Result<std::vector<Snapshot>> snapshots = snapshots_from_json(*shots);
+  if (!snapshots) return snapshots.error();
+  record.snapshots = std::move(*snapshots);
+  return record;
+}
+
+}  // namespace acus::study

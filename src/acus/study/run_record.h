@@ -1,0 +1,56 @@
+// RunRecord: a finished run as its folder tells it, so that a run of yesterday and one of now are the same
+// thing.
+#pragma once
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "acus/base/result.h"
+#include "acus/study/snapshot.h"
+#include "acus/study/study.h"
+
+namespace acus::study {
+
+struct EventRecord {
+  std::string event;
+  double hand_travel = 0.0;  // m
+  double hand_force = 0.0;   // N
+  double free_length = 0.0;  // m
+};
+
+struct RunRecord {
+  Case chosen;
+  Scene scene;
+  nlohmann::json summary;
+  std::map<std::string, std::vector<double>>
+      trace;  // column of trace.csv -> values; `stage` is not among them
+  std::vector<EventRecord> events;
+  std::vector<Snapshot> snapshots;
+};
+
+// The column of that name; every record has those of trace.csv.
+const std::vector<double>& column(const RunRecord& record, const std::string& name);
+// The first event of that name.
+const EventRecord* find_event(const RunRecord& record, const std::string& event);
+const Snapshot* find_snapshot(const RunRecord& record, Moment moment);
+
+// Names what a run depends on: the scene and the version of acus.
+std::string fingerprint(const Scene& scene);
+
+// Whether `folder` holds a finished run with that fingerprint.
+bool is_finished(const std::string& folder, const std::string& fingerprint);
+
+// Takes away the mark of a finished run, before its files are written again.
+void mark_unfinished(const std::string& folder);
+
+// Adds the snapshots to a run whose other files are complete, and at the very end the mark that is_finished()
+// sees.
+std::optional<Error> mark_finished(const std::string& folder, const std::vector<Snapshot>& snapshots,
+                                   const std::string& fingerprint);
+
+Result<RunRecord> read_run(const std::string& folder, const Run& run);
+
+}  // namespace acus::study

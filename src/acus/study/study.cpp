@@ -1,0 +1,429 @@
+#include "acus/study/study.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "acus/base/decimal.h"
+#include "acus/io/scene_toml.h"
+#include "acus/io/spelling.h"
+#include "acus/io/text_file.h"
+#include "acus/io/toml.h"
+#include "acus/sim/scene_keys.h"
+#include "acus/study/markup.h"
+
+namespace acus::study {
+namespace {
+
+constexpr std::size_t longest_study_file = 1 << 20;  // bytes
+constexpr int deepest_include = 4;
+
+struct ExhibitName {
+  const char* word;
+  Exhibit exhibit;
+};
+constexpr ExhibitName exhibit_names[] = {
+    {"force", Exhibit::force},   {"energy", Exhibit::energy},     {"stages", Exhibit::stages},
+    {"mesh", Exhibit::mesh},     {"loads", Exhibit::loads},       {"column", Exhibit::column},
+    {"shapes", Exhibit::shapes}, {"coupling", Exhibit::coupling}, {"convergence", Exhibit::convergence},
+    {"map", Exhibit::map}};
+
+// The value as TOML text; empty for what no scene key can be (a table, a date).
+std::string value_text(const toml::node& node) {
+  if (node.is_integer()) return std::to_string(**node.as_integer());
+  if (node.is_floating_point()) return decimal_text(**node.as_floating_point());
+  if (node.is_boolean()) return **node.as_boolean() ? "true" : "false";
+  if (node.is_string()) return joined({"'", **node.as_string(), "'"});
+  if (!node.is_array()) return {};
+  std::string list;
+  for (const toml::node& item : *node.as_array())
+    list += joined({list.empty() ? "[" : ", ", value_text(item)});
+  return list.empty() ? "[]" : list + "]";
+}
+
+struct KeyedNode {
+  std::string key;  // dotted
+  const toml::node* node;
+};
+
+void collect(const toml::table& table, const std::string& prefix, std::vector<KeyedNode>& out) {
+  for (const auto& [key, node] : table) {
+    const std::string name = prefix + std::string(key.str());
+    if (const toml::table* inner = node.as_table()) {
+      collect(*inner, name + ".", out);
+    } else {
+      out.push_back({name, &node});
+    }
+  }
+}
+
+// Every value below `table` by its dotted key, in the order of the file.
+std::vector<KeyedNode> leaves(const toml::table& table) {
+  std::vector<KeyedNode> all;
+  collect(table, "", all);
+  std::stable_sort(all.begin(), all.end(), [](const KeyedNode& a, const KeyedNode& b) {
+    const auto &p = a.node->source().begin, &q = b.node->source().begin;
+    return p.line != q.line ? p.line < q.line : p.column < q.column;
+  });
+  return all;
+}
+
+// Reads one study file. Errors are thrown together at the end of a chain of steps: the first one stays.
+class Reader {
+ public:
+  Reader(std::string file, std::vector<std::string> settings)
+      : file_(std::move(file)), settings_(std::move(settings)) {}
+
+  Result<Study> read(int depth);
+
+ private:
+  bool failed() const { return error_.has_value(); }
+  void fail(const toml::node* node, const std::string& sentence);
+  void only_keys(const toml::table& table, const char* where, std::initializer_list<const char*> known);
+  std::string word(const toml::table& table, const char* key, const std::string& otherwise);
+  std::vector<std::string> words(const toml::table& table, const char* key);
+
+  void read_includes(const toml::table& root, int depth, Study& study);
+  Group read_group(const toml::table& root);
+  std::optional<Scene> base_scene(const toml::table& root);
+  std::vector<Case> named_runs(const toml::table& root);
+  std::vector<Axis> axes(const toml::table& root);
+  std::vector<Case> sample(const toml::table& root);
+  std::vector<Choice> choices(const toml::table& table, const char* but);
+  void keep_place(const Choice& choice, const toml::node& node);
+  ReportWish report(const toml::table& root);
+  std::string place(const toml::node& node) const;
+  Error placed(const Error& error) const;
+
+  std::string file_;
+  std::vector<std::string> settings_;
+  std::optional<Error> error_;
+  std::map<std::string, std::string> places_;  // "key=value" -> file:line:column
+};
+
+std::string Reader::place(const toml::node& node) const {
+  const auto& at = node.source().begin;
+  return joined({file_, ":", std::to_string(at.line), ":", std::to_string(at.column)});
+}
+
+void Reader::fail(const toml::node* node, const std::string& sentence) {
+  if (!failed()) error_ = Error{joined({node != nullptr ? place(*node) : file_, ": ", sentence})};
+}
+
+// A complaint about a value of this file is about its place there, not about the --set that it was laid over
+// as.
+Error Reader::placed(const Error& error) const {
+  for (const auto& [setting, where] : places_) {
+    const std::string prefix = joined({"--set ", setting, ": "});
+    if (error.sentence.starts_with(prefix))
+      return Error{joined({where, ": ", std::string_view(error.sentence).substr(prefix.size())})};
+  }
+  return error;
+}
+
+void Reader::only_keys(const toml::table& table, const char* where,
+                       std::initializer_list<const char*> known) {
+  const std::vector<std::string> names(known.begin(), known.end());
+  for (const auto& [key, node] : table) {
+    const std::string name(key.str());
+    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+    const std::string near = io::nearest_word(name, names);
+    std::string list;
+    for (const std::string& one : names) list += joined({list.empty() ? "" : ", ", one});
+    fail(&node, joined({name, " is not a key of ", where, "; ",
+                        near.empty() ? joined({"it knows ", list}) : joined({"did you mean ", near, "?"})}));
+  }
+}
+
+std::string Reader::word(const toml::table& table, const char* key, const std::string& otherwise) {
+  const toml::node* node = table.get(key);
+  if (node == nullptr) return otherwise;
+  if (!node->is_string()) fail(node, joined({key, " must be text in quotes"}));
+  return node->value_or(otherwise);
+}
+
+std::vector<std::string> Reader::words(const toml::table& table, const char* key) {
+  std::vector<std::string> out;
+  const toml::node* node = table.get(key);
+  if (node == nullptr) return out;
+  const toml::array* list = node->as_array();
+  if (list == nullptr || list->empty()) {
+    fail(node, joined({key, " must be a list of texts in quotes, with at least one"}));
+    return out;
+  }
+  for (const toml::node& item : *list) {
+    if (!item.is_string()) fail(&item, joined({key, " must hold texts in quotes only"}));
+    out.push_back(item.value_or(std::string()));
+  }
+  return out;
+}
+
+void Reader::keep_place(const Choice& choice, const toml::node& node) {
+  places_[joined({choice.key, "=", choice.value})] = place(node);
+}
+
+std::vector<Choice> Reader::choices(const toml::table& table, const char* but) {
+  std::vector<Choice> out;
+  for (const KeyedNode& leaf : leaves(table)) {
+    if (leaf.key == but) continue;
+    out.push_back({leaf.key, value_text(*leaf.node)});
+    keep_place(out.back(), *leaf.node);
+  }
+  return out;
+}
+
+std::vector<std::string> as_settings(const std::vector<Choice>& choices) {
+  std::vector<std::string> settings;
+  for (const Choice& choice : choices) settings.push_back(joined({choice.key, "=", choice.value}));
+  return settings;
+}
+
+std::optional<Scene> Reader::base_scene(const toml::table& root) {
+  Scene scene;
+  const std::string base = word(root, "base", "");
+  if (!base.empty()) {
+    const Result<Scene> read = io::read_scene((std::filesystem::path(file_).parent_path() / base).string());
+    if (!read) return fail(root.get("base"), "base: " + read.error().sentence), std::nullopt;
+    scene = *read;
+  }
+  if (const toml::node* node = root.get("scene")) {
+    if (!node->is_table()) return fail(node, "scene must be a table, as in [scene.needle]"), std::nullopt;
+    const Result<Scene> laid = io::with_settings(scene, as_settings(choices(*node->as_table(), "")));
+    if (!laid) return error_ = placed(laid.error()), std::nullopt;
+    scene = *laid;
+  }
+  const Result<Scene> set = io::with_settings(scene, settings_);
+  if (!set) return error_ = set.error(), std::nullopt;
+  return *set;
+}
+
+std::vector<Case> Reader::named_runs(const toml::table& root) {
+  std::vector<Case> cases;
+  const toml::node* node = root.get("run");
+  if (node == nullptr) return cases;
+  const toml::array* list = node->as_array();
+  if (list == nullptr || !list->is_homogeneous(toml::node_type::table))
+    return fail(node, "run must be a list of tables, each begun with [[run]]"), cases;
+  for (const toml::node& item : *list) {
+    const toml::table& table = *item.as_table();
+    const std::string name = word(table, "name", "");
+    if (name.empty()) fail(&item, "a [[run]] needs a name, as in name = \"short\"");
+    if (name != name_part({"", joined({"\"", name, "\""})}) || name.starts_with('.'))
+      fail(&item, joined({"the name \"", name, "\" of a run may hold letters, digits, - _ + and . only"}));
+    cases.push_back({name, choices(table, "name")});
+  }
+  return cases;
+}
+
+std::vector<Axis> Reader::axes(const toml::table& root) {
+  std::vector<Axis> out;
+  const toml::node* node = root.get("axes");
+  if (node == nullptr) return out;
+  if (!node->is_table()) return fail(node, "axes must be a table of lists, as in [axes]"), out;
+  for (const KeyedNode& leaf : leaves(*node->as_table())) {
+    const toml::array* list = leaf.node->as_array();
+    if (list == nullptr || list->empty()) {
+      fail(leaf.node,
+           joined({"axes.", leaf.key, " must be a list of at least one value, as in [150, 200, 300]"}));
+      return out;
+    }
+    Axis axis{leaf.key, {}};
+    for (const toml::node& item : *list) {
+      axis.values.push_back(value_text(item));
+      keep_place({leaf.key, axis.values.back()}, item);
+    }
+    out.push_back(std::move(axis));
+  }
+  return out;
+}
+
+std::vector<Case> Reader::sample(const toml::table& root) {
+  const toml::node* node = root.get("sample");
+  if (node == nullptr) return {};
+  if (!node->is_table()) return fail(node, "sample must be a table, as in [sample]"), std::vector<Case>{};
+  const toml::table& table = *node->as_table();
+  only_keys(table, "[sample]", {"count", "seed", "range"});
+  const auto count = table["count"].value_exact<std::int64_t>(),
+             seed = table["seed"].value_exact<std::int64_t>();
+  if (!count || *count < 1 || *count > most_runs)
+    fail(node, joined({"sample.count must be a whole number from 1 to ", std::to_string(most_runs)}));
+  if (!seed) fail(node, "sample.seed must be a whole number: the same seed gives the same runs");
+  const toml::node* given = table.get("range");
+  if (given == nullptr || !given->is_table() || given->as_table()->empty())
+    fail(node, "sample.range must name at least one key and its range, as in needle.radius_mm = [0.2, 0.4]");
+  if (failed()) return {};
+  std::vector<RandomRange> ranges;
+  for (const KeyedNode& leaf : leaves(*given->as_table())) {
+    const toml::array* list = leaf.node->as_array();
+    const bool pair =
+        list != nullptr && list->size() == 2 && (*list)[0].is_number() && (*list)[1].is_number();
+    const double low = pair ? (*list)[0].value_or(0.0) : 0.0, high = pair ? (*list)[1].value_or(0.0) : 0.0;
+    if (!pair || !(low < high)) {
+      fail(leaf.node, joined({"sample.range.", leaf.key, " must be [low, high] with low below high"}));
+      return {};
+    }
+    const SceneKey* key = find_scene_key(leaf.key);
+    const bool whole = key != nullptr && std::holds_alternative<IntegerField>(key->field);
+    ranges.push_back({leaf.key, low, high, whole});
+  }
+  const std::vector<Case> cases =
+      random_sample(ranges, static_cast<int>(*count), static_cast<std::uint64_t>(*seed));
+  for (const Case& one : cases) {
+    for (const Choice& choice : one.choices) keep_place(choice, *given);
+  }
+  return cases;
+}
+
+ReportWish Reader::report(const toml::table& root) {
+  ReportWish wish;
+  const toml::node* node = root.get("report");
+  if (node == nullptr) return wish;
+  if (!node->is_table()) return fail(node, "report must be a table, as in [report]"), wish;
+  const toml::table& table = *node->as_table();
+  only_keys(table, "[report]", {"show", "panel", "curve"});
+  wish.panel = word(table, "panel", "");
+  wish.curve = word(table, "curve", "");
+  if (table.get("show") == nullptr) return wish;
+  wish.show.clear();
+  for (const std::string& name : words(table, "show")) {
+    const auto* found = std::find_if(std::begin(exhibit_names), std::end(exhibit_names),
+                                     [&](const ExhibitName& one) { return name == one.word; });
+    if (found != std::end(exhibit_names)) {
+      wish.show.push_back(found->exhibit);
+      continue;
+    }
+    std::string known;
+    for (const ExhibitName& one : exhibit_names) known += joined({known.empty() ? "" : ", ", one.word});
+    fail(table.get("show"), joined({"report.show does not know \"", name, "\"; it knows ", known}));
+  }
+  return wish;
+}
+
+// Named runs times the grid of axes, or the sample.
+std::vector<Case> all_cases(const std::vector<Case>& named, const std::vector<Axis>& axes,
+                            const std::vector<Case>& sample) {
+  const std::vector<Case> inner = sample.empty() ? grid(axes) : sample;
+  if (named.empty()) return inner;
+  std::vector<Case> cases;
+  for (const Case& run : named) {
+    for (const Case& one : inner) {
+      Case next = run;
+      if (!one.name.empty()) next.name.append("-").append(one.name);
+      next.choices.insert(next.choices.end(), one.choices.begin(), one.choices.end());
+      cases.push_back(std::move(next));
+    }
+  }
+  return cases;
+}
+
+Group Reader::read_group(const toml::table& root) {
+  Group group;
+  group.name = word(root, "name", std::filesystem::path(file_).stem().string());
+  if (group.name != name_part({"", joined({"\"", group.name, "\""})}) || group.name.starts_with('.'))
+    fail(root.get("name"),
+         joined({"name = \"", group.name, "\" may hold letters, digits, - _ + and . only"}));
+  group.title = word(root, "title", group.name);
+  group.text = word(root, "text", "");
+  group.report = report(root);
+  const std::vector<Axis> grid_axes = axes(root);
+  const std::vector<Case> named = named_runs(root), drawn = sample(root);
+  if (!grid_axes.empty() && !drawn.empty())
+    fail(root.get("sample"), "a study has [axes] or [sample], not both");
+  double count = std::max<double>(1.0, static_cast<double>(named.size()));
+  for (const Axis& axis : grid_axes) count *= static_cast<double>(axis.values.size());
+  if (count > most_runs)
+    fail(root.get("axes"),
+         joined({"the axes make more than ", std::to_string(most_runs), " runs; take fewer values"}));
+  const std::optional<Scene> base = failed() ? std::nullopt : base_scene(root);
+  if (!base) return group;
+
+  std::set<std::string> names;
+  for (Case& one : all_cases(named, grid_axes, drawn)) {
+    if (one.name.empty()) one.name = "run";
+    if (!names.insert(one.name).second)
+      fail(nullptr, joined({"two runs are named ", one.name, "; names must differ"}));
+    const Result<Scene> scene = io::with_settings(*base, as_settings(one.choices));
+    if (!scene) return error_ = placed(scene.error()), group;
+    for (const Choice& choice : one.choices) {
+      if (std::find(group.varied.begin(), group.varied.end(), choice.key) == group.varied.end())
+        group.varied.push_back(choice.key);
+    }
+    group.runs.push_back({std::move(one), *scene});
+  }
+  for (const std::string* key : {&group.report.panel, &group.report.curve}) {
+    if (!key->empty() && std::find(group.varied.begin(), group.varied.end(), *key) == group.varied.end())
+      fail(root.get("report"), joined({"report names ", *key, ", which does not vary in this study"}));
+  }
+  return group;
+}
+
+void Reader::read_includes(const toml::table& root, int depth, Study& study) {
+  for (const char* key : {"base", "scene", "axes", "run", "sample", "report"}) {
+    if (root.get(key) != nullptr)
+      fail(root.get(key), joined({"a study with include = [...] has no ", key,
+                                  " of its own; put it into a file and include that"}));
+  }
+  if (depth >= deepest_include)
+    fail(root.get("include"), "studies include each other too deeply, or in a circle");
+  std::set<std::string> names;
+  for (const std::string& name : words(root, "include")) {
+    if (failed()) return;
+    const std::string path = (std::filesystem::path(file_).parent_path() / name).lexically_normal().string();
+    Result<Study> part = Reader(path, settings_).read(depth + 1);
+    if (!part) {
+      error_ = part.error();
+      return;
+    }
+    for (Group& group : part->groups) {
+      if (!names.insert(group.name).second)
+        fail(root.get("include"), joined({"two included studies are named ", group.name}));
+      study.groups.push_back(std::move(group));
+    }
+  }
+}
+
+Result<Study> Reader::read(int depth) {
+  const Result<std::string> text = io::read_text(file_, longest_study_file);
+  if (!text) return text.error();
+  const toml::parse_result parsed = toml::parse(std::string_view(*text));
+  if (!parsed) {
+    const toml::source_position at = parsed.error().source().begin;
+    return Error{joined({file_, ":", std::to_string(at.line), ":", std::to_string(at.column),
+                         ": is not TOML: ", parsed.error().description()})};
+  }
+  const toml::table& root = parsed.table();
+  only_keys(root, "a study",
+            {"name", "title", "text", "include", "base", "scene", "axes", "run", "sample", "report",
+             "contradictions"});
+  Study study;
+  study.name = word(root, "name", std::filesystem::path(file_).stem().string());
+  study.title = word(root, "title", study.name);
+  study.text = word(root, "text", "");
+  study.contradictions = root["contradictions"].value_or(false);
+  if (root.get("include") != nullptr) {
+    read_includes(root, depth, study);
+  } else if (!failed()) {
+    study.groups.push_back(read_group(root));
+  }
+  if (failed()) return *error_;
+  return study;
+}
+
+}  // namespace
+
+Result<Study> read_study(const std::string& path, const std::vector<std::string>& settings) {
+  return Reader(path, settings).read(0);
+}
+
+std::string chosen_value(const Case& chosen, const std::string& key) {
+  for (const Choice& choice : chosen.choices) {
+    if (choice.key != key) continue;
+    const bool quoted = choice.value.starts_with('\'') || choice.value.starts_with('"');
+    return quoted ? choice.value.substr(1, choice.value.size() - 2) : choice.value;
+  }
+  return {};
+}
+
+}  // namespace acus::study

@@ -1,0 +1,156 @@
+// The built program: what it writes, and that nothing depends on how often it was killed or how many workers
+// it had.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <pugixml.hpp>
+#include <thread>
+
+#include "study_files.h"
+
+namespace acus::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+pid_t start(const std::vector<std::string>& words, const fs::path& said) {
+  const pid_t child = fork();
+  if (child != 0) return child;
+  if (std::freopen(said.c_str(), "w", stderr) == nullptr || std::freopen("/dev/null", "w", stdout) == nullptr)
+    _exit(126);
+  std::vector<char*> argv;
+  std::string program = ACUS_BUILD_DIR "/acus";
+  argv.push_back(program.data());
+  std::vector<std::string> copies = words;
+  for (std::string& word : copies) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  execv(program.c_str(), argv.data());
+  _exit(127);
+}
+
+int exit_code_of(pid_t child) {
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+struct Outcome {
+  int exit_code;
+  std::string said;
+};
+Outcome acus_study(std::vector<std::string> words, const fs::path& folder) {
+  words.insert(words.begin(), "study");
+  const int code = exit_code_of(start(words, folder / "said"));
+  return {code, text_of(folder / "said")};
+}
+
+// Four needles pushed into a coarse block: some tenths of a second each.
+std::string small_study(const fs::path& folder) {
+  return write_text(folder / "small.toml", R"(
+title = "Small & <quick>"
+[scene.tissue]
+tetrahedra = 600
+[scene.hand]
+speed_mm_s = 40.0
+travel_mm = 24.0
+[axes]
+needle.support = ["pinned_pinned", "clamped_pinned"]
+needle.length_mm = [120, 200]
+[report]
+show = ["force", "energy", "stages", "mesh", "loads"]
+panel = "needle.support"
+curve = "needle.length_mm"
+)");
+}
+
+const char* const run_names[] = {"pinned_pinned-length_mm_120", "pinned_pinned-length_mm_200",
+                                 "clamped_pinned-length_mm_120", "clamped_pinned-length_mm_200"};
+
+TEST(StudyProgram, results_do_not_depend_on_the_number_of_workers) {
+  const fs::path folder = fresh_folder();
+  const std::string study = small_study(folder);
+  ASSERT_EQ(acus_study({study, "--jobs", "1", "--out", (folder / "one").string()}, folder).exit_code, 0);
+  ASSERT_EQ(acus_study({study, "--jobs", "3", "--out", (folder / "three").string()}, folder).exit_code, 0);
+  const std::string one = text_of(folder / "one" / "results.csv");
+  EXPECT_EQ(std::count(one.begin(), one.end(), '\n'), 5);
+  EXPECT_EQ(one, text_of(folder / "three" / "results.csv"));
+  EXPECT_EQ(text_of(folder / "one" / "report.html"), text_of(folder / "three" / "report.html"));
+  for (const char* run : run_names)
+    EXPECT_EQ(text_of(folder / "one/small" / run / "trace.csv"),
+              text_of(folder / "three/small" / run / "trace.csv"));
+}
+
+TEST(StudyProgram, a_killed_study_resumes_to_the_same_bytes) {
+  const fs::path folder = fresh_folder();
+  const std::string study = small_study(folder);
+  const fs::path whole = folder / "whole", killed = folder / "killed";
+  ASSERT_EQ(acus_study({study, "--jobs", "1", "--out", whole.string()}, folder).exit_code, 0);
+  const pid_t child = start({"study", study, "--jobs", "1", "--out", killed.string()}, folder / "said");
+  // Killed as soon as one run is done: the next is then in the middle.
+  const auto any_finished = [&] {
+    for (const char* run : run_names) {
+      if (fs::exists(killed / "small" / run / "finished")) return true;
+    }
+    return false;
+  };
+  while (!any_finished() && waitpid(child, nullptr, WNOHANG) == 0)
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  ASSERT_FALSE(fs::exists(killed / "results.csv"));
+  const Outcome resumed = acus_study({study, "--jobs", "2", "--resume", "--out", killed.string()}, folder);
+  ASSERT_EQ(resumed.exit_code, 0) << resumed.said;
+  EXPECT_NE(resumed.said.find("done before"), std::string::npos) << resumed.said;
+  EXPECT_EQ(text_of(whole / "results.csv"), text_of(killed / "results.csv"));
+  EXPECT_EQ(text_of(whole / "report.html"), text_of(killed / "report.html"));
+}
+
+TEST(StudyProgram, resuming_does_a_run_again_whose_scene_has_changed) {
+  const fs::path folder = fresh_folder(), out = folder / "out";
+  const std::string study = small_study(folder);
+  ASSERT_EQ(acus_study({study, "--out", out.string()}, folder).exit_code, 0);
+  const Outcome changed =
+      acus_study({study, "--resume", "--set", "contact.rupture_force_N=0.2", "--out", out.string()}, folder);
+  EXPECT_EQ(changed.exit_code, 0);
+  EXPECT_EQ(changed.said.find("done before"), std::string::npos) << changed.said;
+}
+
+TEST(StudyProgram, the_report_is_whole_and_needs_nothing_from_outside) {
+  const fs::path folder = fresh_folder(), out = folder / "out";
+  ASSERT_EQ(acus_study({small_study(folder), "--out", out.string()}, folder).exit_code, 0);
+  const std::string html = text_of(out / "report.html");
+  EXPECT_LT(html.size(), 2u << 20);
+  for (const char* run : run_names) EXPECT_NE(html.find(run), std::string::npos) << run;
+  for (const char* word : {"http:", "https:", "url(", "@import", "<script", "<link", "src="})
+    EXPECT_EQ(html.find(word), std::string::npos) << word;
+  EXPECT_NE(html.find("Small &amp; &lt;quick&gt;"), std::string::npos);
+  int pictures = 0;
+  for (const auto& file : fs::directory_iterator(out / "figures")) {
+    pugi::xml_document xml;
+    EXPECT_TRUE(xml.load_file(file.path().c_str())) << file.path();
+    EXPECT_GT(std::string(xml.child("svg").attribute("aria-label").value()).size(), 20u) << file.path();
+    ++pictures;
+  }
+  EXPECT_EQ(pictures, 7);  // force, energy and stages for each support; one mesh
+}
+
+TEST(StudyProgram, bad_input_is_exit_code_two) {
+  const fs::path folder = fresh_folder();
+  const std::string wrong = write_text(folder / "wrong.toml", "[axes]\nneedle.length_mm = [-1]\n");
+  const Outcome outcome = acus_study({wrong, "--out", (folder / "out").string()}, folder);
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.said.find("wrong.toml:2:21: needle.length_mm must be"), std::string::npos)
+      << outcome.said;
+  EXPECT_FALSE(fs::exists(folder / "out"));
+  EXPECT_EQ(acus_study({(folder / "none.toml").string()}, folder).exit_code, 2);
+  EXPECT_EQ(acus_study({small_study(folder), "--jobs", "0"}, folder).exit_code, 2);
+  EXPECT_EQ(
+      acus_study({small_study(folder), "--out", (folder / "wrong.toml" / "sub").string()}, folder).exit_code,
+      2);
+}
+
+}  // namespace
+}  // namespace acus::study

@@ -137,4 +137,25 @@ TEST(Insertion, needle_that_comes_out_at_the_far_side_feels_friction_alone) {
   EXPECT_NEAR(f.hand_force, 40.0 * f.inserted_length, 0.02 * f.hand_force);
 }
 
+TEST(Insertion, nearest_node_cuts_as_deep_as_the_needle_goes) {
+  Scene scene = table_one(0.15, 40e-3);
+  scene.tissue.size = Vec3(0.06, 0.06, 0.03);
+  scene.contact.coupling = Coupling::nearest_node;
+  const Insertion run = insert(scene);
+  const auto exit = run.first(EventKind::exit);
+  ASSERT_TRUE(exit);
+  EXPECT_LT(exit->hand_travel, 36e-3);  // 30 mm of tissue, and what it gives way at the far side's last cells
+  EXPECT_LT(run.frames.back().inserted_length, 34e-3);
+}
+
+TEST(Insertion, needle_with_a_large_initial_bow_counts_as_buckled_when_it_is_bent) {
+  Scene scene = table_one(0.2, 25e-3);
+  scene.needle.imperfection = 2e-3;
+  const Insertion run = insert(scene);
+  const auto buckling = run.first(EventKind::buckling);
+  ASSERT_TRUE(buckling);
+  // P = P_cr (1 - A_0 / A) with A_0 = 2 mm and A = 5 % of 200 mm.
+  EXPECT_NEAR(buckling->hand_force, 0.642 * (1.0 - 2.0 / 10.0), 0.02 * 0.642);
+}
+
 }  // namespace

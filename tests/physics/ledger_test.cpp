@@ -52,8 +52,12 @@ TEST_P(Ledger, closes) {
   double most_work = 0.0;
   for (const Frame& f : run.frames) most_work = std::max(most_work, std::abs(f.ledger.work_hand));
   for (const Frame& f : run.frames) ASSERT_LT(std::abs(f.energy_residual), 1e-5 * most_work) << f.time;
-  // Not by hiding: what the integrator dissipates is a small part of what physics does.
+  // Not by hiding: what the integrator dissipates is a small part of what physics does, and is never
+  // negative.
   EXPECT_LT(run.frames.back().ledger.work_numerical, 0.15 * most_work);
+  for (std::size_t k = 1; k < run.frames.size(); ++k)
+    ASSERT_GT(run.frames[k].ledger.work_numerical,
+              run.frames[k - 1].ledger.work_numerical - 1e-6 * most_work);
 }
 
 // Eq. 14-18 over every step of the moving hand gives the hub's reaction within 3 % of the peak.
@@ -66,6 +70,20 @@ TEST_P(Ledger, energy_force_is_the_reaction_at_the_hub) {
     if (std::abs(now.hand_travel - run.frames[k - 1].hand_travel) < force::energy_force_travel) continue;
     ASSERT_NEAR(now.energy_force, now.hand_force, 0.03 * peak) << now.time;
   }
+}
+
+// The residual alone would not notice a wrong energy, because the numerical line is the difference between a
+// step's work and the energy it gained. That line must be the integrator's: of first order in the time step.
+TEST(Ledger, numerical_dissipation_halves_with_the_time_step) {
+  std::vector<double> lost;
+  for (double step : {1e-3, 0.5e-3, 0.25e-3}) {
+    Scene scene = table_one(0.15, 15e-3);
+    scene.run.time_step = step;
+    lost.push_back(insert(scene).frames.back().ledger.work_numerical);
+  }
+  EXPECT_LT(lost[1], 0.7 * lost[0]);
+  EXPECT_LT(lost[2], 0.7 * lost[1]);
+  EXPECT_GT(lost[2], 0.0);
 }
 
 }  // namespace

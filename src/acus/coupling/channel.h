@@ -13,7 +13,7 @@
 namespace acus::coupling {
 
 inline constexpr double channel_cell =
-    1e-3;  // m, rest length of a cell; shorter than any element near the path
+    1e-3;  // m, rest length of a cell; of the order of the elements along the path
 
 // Axial stiffness per length of the sleeve of tissue between radius r and e r around a line that pulls on it:
 // 2 pi G / ln(e), N/m^2 (antiplane shear; Love 1927). What lies farther out is the mesh's to resolve.

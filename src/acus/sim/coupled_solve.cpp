@@ -172,8 +172,8 @@ CoupledOutcome solve_coupled(const Model& m, State& s, Scratch& w, double hub_tr
     const numeric::CgOutcome solve = solve_tissue(s.velocity, w.right_hand_side, target, m, w);
     const numeric::CgOutcome answer = solve_influence(m, s, w);
     outcome.iterations += solve.iterations + answer.iterations;
-    outcome.residual = norm > 0.0 ? solve.residual_norm / norm : 0.0;
-    outcome.broke_down = solve.broke_down || answer.broke_down || solve.iterations == max_iterations;
+    outcome.broke_down = solve.broke_down || answer.broke_down || solve.iterations == max_iterations ||
+                         answer.iterations == max_iterations;
     if (outcome.broke_down) return outcome;
 
     const double guess = rate;
@@ -191,9 +191,12 @@ CoupledOutcome solve_coupled(const Model& m, State& s, Scratch& w, double hub_tr
       continue;
     }
     // Correcting the rate through an inexact y leaves this much of a residual.
-    if (std::abs(rate - guess) * answer.residual_norm <= target) break;
+    if (std::abs(rate - guess) * answer.residual_norm <= target) {
+      s.tip_rate = rate;
+      return outcome;
+    }
   }
-  s.tip_rate = rate;
+  outcome.broke_down = true;
   return outcome;
 }
 

@@ -42,8 +42,7 @@ Scratch build_scratch(const Model& model);
 
 struct CoupledOutcome {
   int iterations = 0;
-  double residual = 0.0;  // |b - A v| / |b|, by recursion
-  bool broke_down = false;
+  bool broke_down = false;  // a solve failed, or no consistent branches were found
 };
 
 // Advances state.velocity, influence and tip_rate. `scratch` holds the assembled matrix, the momentum and the

@@ -25,7 +25,7 @@ struct TissueScene {
   double density = 1000.0;       // kg/m^3, Table I
   Element element = Element::nodal_pressure;
   double damping_mass = 0.0;        // 1/s, Rayleigh: D = damping_mass M + damping_stiffness K
-  double damping_stiffness = 5e-3;  // s
+  double damping_stiffness = 5e-3;  // s, chosen: damps the layer's first shear mode (12 Hz) by about a fifth
   Vec3 size{0.1, 0.1, 0.06};        // m, block centred on x = y = 0, bottom at z = 0; depth last
   int tetrahedra = 10000;           // aimed at
   std::string mesh;                 // a mesh file instead of the block; empty for the block
@@ -43,8 +43,8 @@ struct ContactScene {
   Crack crack = Crack::ring;
   // Dry friction per inserted length; the order measured in J Endourol, 10.1089/end.2016.0342.
   double friction = 40.0;          // N/m
-  double contact_radius = 2.5e-3;  // m, disc over which a tip load is spread
-  double stiffness = 1e4;          // N/m, needle point against tissue (k of Eq. 8)
+  double contact_radius = 2.5e-3;  // m, disc over which a tip load is spread; chosen, a mesh must resolve it
+  double stiffness = 1e4;  // N/m, needle point against tissue (k of Eq. 8); chosen stiff beside the tissue
   Coupling coupling = Coupling::embedded;
 };
 

@@ -74,7 +74,7 @@ std::vector<SceneKey> tissue_keys() {
 
 std::vector<SceneKey> contact_keys() {
   return {
-      {"contact.rupture_force_N", NumberField{ACUS_AT(contact.rupture_force), one, {0.0, 1000.0}},
+      {"contact.rupture_force_N", NumberField{ACUS_AT(contact.rupture_force), one, {1e-6, 1000.0}},
        "tip force at which the tissue gives way"},
       {"contact.fracture_toughness_J_m2", NumberField{ACUS_AT(contact.fracture_toughness), one, {0.0, 1e6}},
        "work of cutting per crack area; it holds only with the crack it was measured with"},

@@ -36,7 +36,8 @@ Result<Simulation> Simulation::build(const Scene& scene, const mesh::TetMesh* me
   parts->frame.free_length = scene.needle.length;
   parts->frame.critical_load =
       parts->model.column.critical_load_times_length_squared / (scene.needle.length * scene.needle.length);
-  constexpr std::size_t most_events = 4096;  // a hand cannot cause more; a step must not allocate
+  constexpr std::size_t most_events =
+      4096;  // a step must not allocate; what a very restless hand causes beyond is not kept
   parts->events.reserve(most_events);
   return Simulation(std::move(parts));
 }

@@ -21,10 +21,10 @@ void decide_stage(State& s, const Observed& o, Frame& frame, std::vector<Event>&
   };
   const Stage before = frame.stage;
   if (before == Stage::free && o.tip_force > 0.0) happened(EventKind::contact);
-  if (!s.buckled && o.column_load >= o.critical_load) {
+  if (!s.buckled && (o.column_load >= o.critical_load || o.bow_ratio >= bent)) {
     s.buckled = true;
     happened(s.punctured && !o.ruptured_now ? EventKind::second_buckling : EventKind::buckling);
-  } else if (s.buckled && o.column_load < straight_again * o.critical_load) {
+  } else if (s.buckled && o.column_load < straight_again * o.critical_load && o.bow_ratio < 0.5 * bent) {
     s.buckled = false;
     happened(EventKind::straightening);
   }

@@ -34,17 +34,19 @@ Before remember(const Model& m, const State& s, const Scratch& w) {
   return before;
 }
 
-double tip_limit(const Model& m, const State& s) {
-  if (s.through) return 0.0;
-  return s.punctured ? m.cutting_force : m.scene.contact.rupture_force;
+// The tip against the channel's end: rupture before the puncture, cutting after it, nothing beyond the far
+// side.
+coupling::Slider tip_slider(const Model& m, const State& s) {
+  const double stiffness = s.through ? 0.0 : m.scene.contact.stiffness;
+  const double limit = s.through ? 0.0 : s.punctured ? m.cutting_force : m.scene.contact.rupture_force;
+  return {stiffness, s.tip_elongation, 0.0, limit, true};
 }
 
 // The needle over its channel, and everything that can hold it there.
 void touch(const Model& m, State& s, Scratch& w, const NeedlePlace& place) {
   s.ledger.work_friction += coupling::cover(s.channel, m.channel, place.covered_depth, place.inserted_length);
   w.held.clear();
-  const double stiffness = s.through ? 0.0 : m.scene.contact.stiffness;
-  w.held.push_back({{stiffness, s.tip_elongation, 0.0, tip_limit(m, s), true}, &s.tip, -1});
+  w.held.push_back({tip_slider(m, s), &s.tip, -1});
   for (int cell = 0; cell < m.channel.cells(); ++cell)
     if (s.channel.length[cell] > 0.0)
       w.held.push_back({coupling::slider_of(m.channel, s.channel, cell), &m.channel.attachment[cell], cell});
@@ -77,12 +79,10 @@ coupling::SliderStep slide(const Model& m, State& s, const Scratch& w) {
 }
 
 double contact_energy(const Model& m, const State& s) {
-  double energy = 0.0;
-  if (!s.through && s.tip_elongation > 0.0)
-    energy = 0.5 * m.scene.contact.stiffness * s.tip_elongation * s.tip_elongation;
+  double energy = coupling::stored_energy(tip_slider(m, s), s.tip_elongation);
   for (int cell = 0; cell < m.channel.cells(); ++cell)
-    energy += 0.5 * m.channel.stiffness * s.channel.length[cell] * s.channel.elongation[cell] *
-              s.channel.elongation[cell];
+    energy +=
+        coupling::stored_energy(coupling::slider_of(m.channel, s.channel, cell), s.channel.elongation[cell]);
   return energy;
 }
 
@@ -94,17 +94,17 @@ bool cut(const Model& m, State& s, double slip) {
   const auto present = [&](double depth) {
     return depth + coupling::displacement_along(s.tip, s.position, m.mesh.nodes, m.path.direction);
   };
-  if (m.scene.contact.coupling == Coupling::nearest_node) {
-    s.channel_depth = from + slip;
-  } else {
-    const double wanted = s.tip_position - s.tip_elongation;
-    const double present_from = present(from);
-    attach_tip_into(s.tip, m, std::min(from + slip, m.path.length));
-    const double present_try = present(from + slip);
-    // Stretch of the path under the tip; bounded, so that a crumpled element cannot throw the cut far ahead.
-    const double stretch = std::clamp((present_try - present_from) / slip, 0.2, 5.0);
-    s.channel_depth = from + std::clamp(slip + (wanted - present_try) / stretch, 0.0, 5.0 * slip);
-  }
+  const double wanted = s.tip_position - s.tip_elongation;
+  const double present_from = present(from);
+  attach_tip_into(s.tip, m, std::min(from + slip, m.path.length));
+  const double present_try = present(from + slip);
+  // Stretch of the path under the tip. Bounded, as is the advance, so that a crumpled element or a jump to
+  // another nearest node cannot throw the cut far ahead in one step; the next step makes up for what is
+  // missing.
+  constexpr double least_stretch = 0.2, most_stretch = 5.0;
+  const double stretch = std::clamp((present_try - present_from) / slip, least_stretch, most_stretch);
+  const double advance = std::clamp(slip + (wanted - present_try) / stretch, 0.0, slip / least_stretch);
+  s.channel_depth = from + advance;
   if (s.channel_depth >= m.path.length) {
     s.through = true;
     s.channel_depth = m.path.length;
@@ -222,6 +222,7 @@ void advance(const Model& m, State& s, Scratch& w, double hub_travel, Frame& fra
       needle::column_response(m.column, place.free_length, place.shortening);
   account_needle(m, s, before, observed.column_load, column.energy);
 
+  observed.bow_ratio = column.bow / place.free_length;
   observed.inserted_length = place.inserted_length;
   observed.critical_load = needle::critical_load(needle::bending_rigidity(m.scene.needle), place.free_length,
                                                  m.scene.needle.support);

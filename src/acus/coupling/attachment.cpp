@@ -33,23 +33,27 @@ void embed_point_into(Attachment& out, const mesh::Locator& locator, const Vec3&
     for (int i = 0; i < 4; ++i) add_weight(out, at->nodes[i], at->weights[i], free_nodes);
 }
 
+int rings_for(double radius, double shortest_edge) {
+  return std::clamp(static_cast<int>(std::ceil(radius / shortest_edge)), fewest_rings, most_rings);
+}
+
 void embed_disc_into(Attachment& out, const mesh::Locator& locator, const Vec3& centre, const Vec3& axis,
-                     double radius, int free_nodes) {
+                     double radius, int free_nodes, int rings) {
   out.clear();
   const auto [u, v] = across(axis);
-  int inside = 0, before = 0;
-  for (int ring_points : {4, 8, 12}) {
+  int inside = 0;
+  for (int ring = 1; ring <= rings; ++ring) {
+    const int ring_points = 4 * ring;
     // Half of the ring's area lies inside this radius.
-    const double r = radius * std::sqrt((before + 0.5 * ring_points) / disc_points);
+    const double r = radius * std::sqrt((points_of(ring) - 0.5 * ring_points) / points_of(rings));
     for (int i = 0; i < ring_points; ++i) {
       const double angle = 2.0 * std::numbers::pi * (i + 0.5) / ring_points;
       const Vec3 point = centre + r * (std::cos(angle) * u + std::sin(angle) * v);
       const auto at = locator.locate(point, radius);  // a curved surface may pass below or above the disc
       if (!at) continue;
       ++inside;
-      for (int c = 0; c < 4; ++c) add_weight(out, at->nodes[c], at->weights[c], free_nodes);
+      for (std::size_t c = 0; c < 4; ++c) add_weight(out, at->nodes[c], at->weights[c], free_nodes);
     }
-    before += ring_points;
   }
   for (double& w : out.weight) w /= inside;
 }

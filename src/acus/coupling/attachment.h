@@ -24,17 +24,20 @@ struct Attachment {
   bool empty() const { return node.empty(); }
 };
 
-// A tip load is spread evenly over a disc by this many points: rings of 4, 8 and 12, each point standing for
-// the same area.
-inline constexpr int disc_points = 24;
-inline constexpr int disc_capacity = 4 * disc_points;  // entries a disc can need
+// A tip load is spread evenly over a disc by rings of 4, 8, 12 ... points, each standing for the same area:
+// their spacing is the radius over the number of rings, and must stay below the elements' size, or the disc
+// becomes a handful of point loads, which have no limit.
+inline constexpr int fewest_rings = 3;
+inline constexpr int most_rings = 16;
+inline constexpr int points_of(int rings) { return 2 * rings * (rings + 1); }
+int rings_for(double radius, double shortest_edge);
 
 // The point's own tetrahedron, barycentric. Nothing when it lies farther than `snap` [m] outside the mesh.
 void embed_point_into(Attachment& out, const mesh::Locator& locator, const Vec3& point, double snap,
                       int free_nodes);
 // Mean over a disc of `radius` [m] across `axis` (unit); its points outside the mesh are dropped.
 void embed_disc_into(Attachment& out, const mesh::Locator& locator, const Vec3& centre, const Vec3& axis,
-                     double radius, int free_nodes);
+                     double radius, int free_nodes, int rings = fewest_rings);
 // The paper's: one node, the one nearest to the point at rest.
 void attach_to_nearest_node_into(Attachment& out, const mesh::Locator& locator, const Vec3& point,
                                  int free_nodes);

@@ -5,6 +5,7 @@
 
 #include "acus/mesh/block.h"
 #include "acus/mesh/order.h"
+#include "acus/mesh/quality.h"
 #include "acus/mesh/refine.h"
 
 namespace acus {
@@ -82,8 +83,8 @@ void attach_tip_into(coupling::Attachment& out, const Model& m, double depth) {
   if (c.coupling == Coupling::nearest_node)
     coupling::attach_to_nearest_node_into(out, *m.locator, point, m.tissue.free_nodes);
   else
-    coupling::embed_disc_into(out, *m.locator, point, m.path.direction, c.contact_radius,
-                              m.tissue.free_nodes);
+    coupling::embed_disc_into(out, *m.locator, point, m.path.direction, c.contact_radius, m.tissue.free_nodes,
+                              m.disc_rings);
 }
 
 Result<Model> build_model(const Scene& scene, const mesh::TetMesh* mesh) {
@@ -113,6 +114,7 @@ Result<Model> build_model(const Scene& scene, const mesh::TetMesh* mesh) {
   m.damping = {t.damping_mass, t.damping_stiffness};
   m.factors = tissue::step_factors(scene.run.time_step, m.damping);
   m.locator.emplace(m.mesh);
+  m.disc_rings = coupling::rings_for(scene.contact.contact_radius, mesh::quality(m.mesh).shortest_edge);
   attach_tip_into(m.entry, m, 0.0);
   if (m.entry.empty())
     return Error{"tissue: the entry lies in the part that is held fixed; choose another target"};

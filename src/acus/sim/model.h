@@ -26,7 +26,8 @@ struct Model {
   tissue::TissueModel tissue;
   tissue::Rayleigh damping;
   tissue::StepFactors factors;
-  coupling::Attachment entry;  // of the surface at the entry, spread like a tip load
+  coupling::Attachment entry;               // of the surface at the entry, spread like a tip load
+  int disc_rings = coupling::fewest_rings;  // of the points that spread a tip load
   coupling::Channel channel;
 
   bool rigid() const { return scene.tissue.rigid; }

@@ -34,7 +34,7 @@ State initial_state(const Model& m) {
   s.velocity.assign(static_cast<std::size_t>(m.tissue.free_nodes) * numeric::node_stride, 0.0);
   s.influence = s.velocity;
   s.tip = m.entry;
-  s.tip.reserve(coupling::disc_capacity);
+  s.tip.reserve(4 * coupling::points_of(m.disc_rings));
   s.channel.length.assign(m.channel.cells(), 0.0);
   s.channel.elongation.assign(m.channel.cells(), 0.0);
   return s;

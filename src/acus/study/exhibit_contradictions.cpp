@@ -104,9 +104,8 @@ void show_contradictions(Page& page) {
        "locks), so dents before puncture come "
        "out too shallow on coarse meshes. Critical loads hardly depend on it. Scenes that do not ask for it "
        "get an element that does not lock.",
-       "Buckling follows the elastica of the free length at every moment: the needle's own inertia is left "
-       "out, so the snap of a "
-       "real needle is faster than drawn.",
+       "The bow follows the elastica of the free length at every moment: the needle has mass along its axis "
+       "but none across it.",
        "Rupture force, toughness and friction are single numbers for homogeneous tissue; those of living "
        "tissue scatter by tens of per cent.",
        "Nothing here was fitted to the paper's curves: it gives no tables, and its Fig. 7 has no values for "

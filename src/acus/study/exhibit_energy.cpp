@@ -24,8 +24,8 @@ constexpr Line lines[] = {
 
 StackPlot energy_plot(const GroupRecords& group, const Panel& panel, const RunRecord& run) {
   StackPlot plot;
-  plot.title =
-      joined({"Energy, ", curve_name(group, run), panel.value.empty() ? "" : ", ", in_words(panel.value)});
+  plot.title = figure_title(group, panel, "Energy");
+  if (panel.runs.size() > 1) plot.title.append(", ").append(curve_name(group, run));
   plot.x_label = "travel of the hand from first touch, mm";
   plot.y_label = "energy, mJ";
   const auto &travel = column(run, "hand_travel_m"), &work = column(run, "work_hand_J");
@@ -76,14 +76,18 @@ Table ledger_table(const GroupRecords& group) {
   for (const Line& line : lines) table.head.push_back(line.words);
   table.head.insert(table.head.end(), {"residual", "force gap"});
   for (const RunRecord& run : group.runs) {
-    std::vector<std::string> row{run.chosen.name, number(column(run, "work_hand_J").back() / mJ)};
-    for (const Line& line : lines) row.push_back(number(column(run, line.column).back() / mJ, 3));
+    const double work = column(run, "work_hand_J").back();
+    std::vector<std::string> row{run.chosen.name, number(work / mJ)};
+    constexpr double negligible = 1e-5;  // of the work: more digits would only be noise
+    for (const Line& line : lines) {
+      const double value = column(run, line.column).back();
+      row.push_back(std::abs(value) < negligible * std::abs(work) ? "0" : number(value / mJ, 3));
+    }
     const nlohmann::json energy = run.summary.value("energy", nlohmann::json::object());
     const double residual = energy.value("relative_residual", std::nan("")),
                  gap = run.summary.value("peak_energy_force_gap_N", std::nan(""));
-    row.push_back(residual < 1e-5 ? "< 0.001 %" : joined({number(100.0 * residual, 2), " %"}));
-    row.push_back(
-        joined({number(100.0 * gap / run.summary.value("peak_hand_force_N", std::nan("")), 2), " %"}));
+    row.push_back(share(residual));
+    row.push_back(share(gap / run.summary.value("peak_hand_force_N", std::nan(""))));
     table.rows.push_back(std::move(row));
   }
   return table;

@@ -69,6 +69,11 @@ std::string percent_off(double simulated, double predicted) {
   return joined({text[0] == '-' ? "" : "+", text, " %"});
 }
 
+std::string share(double ratio) {
+  constexpr double negligible = 1e-5;
+  return ratio < negligible ? "< 0.001 %" : joined({number(100.0 * ratio, 2), " %"});
+}
+
 double critical_load(const RunRecord& run, double free_length) {
   return needle::critical_load(needle::bending_rigidity(run.scene.needle), free_length,
                                run.scene.needle.support);

@@ -59,6 +59,20 @@ std::vector<Case> grid(std::span<const Axis> axes) {
   return cases;
 }
 
+std::vector<Case> combined(std::span<const Case> outer, std::span<const Case> inner) {
+  if (outer.empty()) return {inner.begin(), inner.end()};
+  std::vector<Case> cases;
+  for (const Case& first : outer) {
+    for (const Case& one : inner) {
+      Case next = first;
+      if (!one.name.empty()) next.name.append("-").append(one.name);
+      next.choices.insert(next.choices.end(), one.choices.begin(), one.choices.end());
+      cases.push_back(std::move(next));
+    }
+  }
+  return cases;
+}
+
 std::vector<Case> random_sample(std::span<const RandomRange> ranges, int count, std::uint64_t seed) {
   std::mt19937_64 bits(seed);
   std::vector<Case> cases;

@@ -30,6 +30,10 @@ struct Axis {
 // Every combination; the first axis varies slowest. No axes give one case without a name or a choice.
 std::vector<Case> grid(std::span<const Axis> axes);
 
+// Each of `outer` with each of `inner` laid over it, names joined; the inner ones alone when there are no
+// outer ones.
+std::vector<Case> combined(std::span<const Case> outer, std::span<const Case> inner);
+
 struct RandomRange {
   std::string key;
   double low = 0.0, high = 0.0;

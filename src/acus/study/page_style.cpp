@@ -35,7 +35,7 @@ tbody th{font-weight:400;white-space:nowrap}thead th.number{white-space:normal}
 .number{text-align:right;white-space:nowrap}
 @media print{:root{--paper:#fff;--ink:#000;--soft:#444;--grid:#ccc;--link:#000;--panel:#fff}
 html{font-size:10.5pt}main{max-width:none;padding:0}nav,details{display:none}h2{margin-top:1.6rem;break-after:avoid}h3{break-after:avoid}
-.row{grid-template-columns:1fr 1fr;gap:0 .8rem}tr{break-inside:avoid}@page{margin:16mm 15mm}}
+.row{grid-template-columns:1fr 1fr;gap:0 .8rem}tr{break-inside:avoid}.scroll{overflow:visible}table{font-size:7.4pt}th,td{padding:.2rem .45rem .2rem 0}tbody th{white-space:normal;overflow-wrap:anywhere}@page{margin:16mm 15mm}}
 )css";
 }
 

@@ -126,7 +126,14 @@ Svg drawn(const Plot& plot) {
     labels.push_back({{frame.right(), frame.y(level.y)}, level.label, level.style, false});
   for (const Curve& curve : plot.curves) {
     if (curve.label.empty() || curve.points.empty()) continue;
-    labels.push_back({frame.at(curve.points.back()), curve.label, curve.style, true});
+    const Point2 end = frame.at(curve.points.back());
+    // A curve that ends in the left half is named where it ends; a long leader would cross the others.
+    if (end[0] < (frame.left() + frame.right()) / 2.0) {
+      svg.text({end[0] + 8.0, end[1] + 12.0}, Anchor::start, "strong f" + std::to_string(curve.style),
+               curve.label);
+    } else {
+      labels.push_back({end, curve.label, curve.style, true});
+    }
   }
   draw_side_labels(svg, labels, frame.right() + 10.0, {frame.top(), frame.bottom()});
   return svg;

@@ -35,12 +35,6 @@ void show(Page& page, Exhibit exhibit, const GroupRecords& group) {
   }
 }
 
-// "0.012 %"; what is smaller than anyone cares for is "less than 0.001 %".
-std::string share(double ratio) {
-  constexpr double negligible = 1e-5;
-  return ratio < negligible ? "less than 0.001 %" : joined({number(100.0 * ratio, 2), " %"});
-}
-
 struct Tally {
   int runs = 0, unfinished = 0;
   double worst_residual = 0.0;

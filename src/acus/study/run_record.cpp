@@ -28,6 +28,8 @@ std::vector<std::string_view> split(std::string_view text, char by) {
   }
 }
 
+std::vector<int> letters_of(std::string_view text) { return {text.begin(), text.end()}; }
+
 double number(std::string_view text) { return std::strtod(std::string(text).c_str(), nullptr); }
 
 // Rows of comma-separated text without its last empty line.
@@ -103,8 +105,14 @@ const Snapshot* find_snapshot(const RunRecord& record, Moment moment) {
 
 std::string fingerprint(const Scene& scene) {
   const std::string text = joined({io::versions_json().value("acus", ""), "\n", io::scene_toml(scene)});
-  const std::vector<int> letters(text.begin(), text.end());
-  return hex(hash_of(letters));
+  std::uint64_t hash = hash_of(letters_of(text));
+  if (!scene.tissue.mesh.empty()) {
+    // A mesh is named by its file; what counts is what stands in it. One that cannot be read fails when it is
+    // built.
+    if (const Result<std::string> mesh = io::read_text(scene.tissue.mesh, longest_file))
+      hash = hash_of(letters_of(*mesh), hash);
+  }
+  return hex(hash);
 }
 
 bool is_finished(const std::string& folder, const std::string& fingerprint) {

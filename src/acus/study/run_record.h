@@ -37,7 +37,7 @@ const std::vector<double>& column(const RunRecord& record, const std::string& na
 const EventRecord* find_event(const RunRecord& record, const std::string& event);
 const Snapshot* find_snapshot(const RunRecord& record, Moment moment);
 
-// Names what a run depends on: the scene and the version of acus.
+// Names what a run depends on: the scene, its mesh file and the version of acus.
 std::string fingerprint(const Scene& scene);
 
 // Whether `folder` holds a finished run with that fingerprint.

@@ -66,6 +66,8 @@ void StageCamera::keep(Moment moment, double merit, const Simulation& simulation
 }
 
 void StageCamera::look(const Simulation& simulation) {
+  constexpr int steps_between_looks = 10;  // the bow of a needle takes longer to draw than a step to make
+  if (looks_++ % steps_between_looks != 0) return;
   // Below this share of the critical load the bow is within ten times the initial one: straight, to the eye.
   constexpr double still_straight = 0.9;
   const Frame& frame = simulation.frame();

@@ -51,7 +51,8 @@ class StageCamera {
 
   std::vector<Kept> kept_;
   std::optional<double> punctured_at_;  // s
-  bool straight_inside_ = false;        // since then
+  int looks_ = 0;
+  bool straight_inside_ = false;  // since then
 };
 
 // Lengths are written in micrometres as whole numbers, which no picture can tell from the truth.

@@ -6,13 +6,13 @@
 #include <optional>
 #include <set>
 
-#include "acus/base/decimal.h"
 #include "acus/io/scene_toml.h"
 #include "acus/io/spelling.h"
 #include "acus/io/text_file.h"
 #include "acus/io/toml.h"
 #include "acus/sim/scene_keys.h"
 #include "acus/study/markup.h"
+#include "acus/study/toml_values.h"
 
 namespace acus::study {
 namespace {
@@ -30,47 +30,7 @@ constexpr ExhibitName exhibit_names[] = {
     {"shapes", Exhibit::shapes}, {"coupling", Exhibit::coupling}, {"convergence", Exhibit::convergence},
     {"map", Exhibit::map}};
 
-// The value as TOML text; empty for what no scene key can be (a table, a date).
-std::string value_text(const toml::node& node) {
-  if (node.is_integer()) return std::to_string(**node.as_integer());
-  if (node.is_floating_point()) return decimal_text(**node.as_floating_point());
-  if (node.is_boolean()) return **node.as_boolean() ? "true" : "false";
-  if (node.is_string()) return joined({"'", **node.as_string(), "'"});
-  if (!node.is_array()) return {};
-  std::string list;
-  for (const toml::node& item : *node.as_array())
-    list += joined({list.empty() ? "[" : ", ", value_text(item)});
-  return list.empty() ? "[]" : list + "]";
-}
-
-struct KeyedNode {
-  std::string key;  // dotted
-  const toml::node* node;
-};
-
-void collect(const toml::table& table, const std::string& prefix, std::vector<KeyedNode>& out) {
-  for (const auto& [key, node] : table) {
-    const std::string name = prefix + std::string(key.str());
-    if (const toml::table* inner = node.as_table()) {
-      collect(*inner, name + ".", out);
-    } else {
-      out.push_back({name, &node});
-    }
-  }
-}
-
-// Every value below `table` by its dotted key, in the order of the file.
-std::vector<KeyedNode> leaves(const toml::table& table) {
-  std::vector<KeyedNode> all;
-  collect(table, "", all);
-  std::stable_sort(all.begin(), all.end(), [](const KeyedNode& a, const KeyedNode& b) {
-    const auto &p = a.node->source().begin, &q = b.node->source().begin;
-    return p.line != q.line ? p.line < q.line : p.column < q.column;
-  });
-  return all;
-}
-
-// Reads one study file. Errors are thrown together at the end of a chain of steps: the first one stays.
+// Reads one study file. The first thing that is wrong is kept in error_; the steps after it do no harm.
 class Reader {
  public:
   Reader(std::string file, std::vector<std::string> settings)
@@ -301,23 +261,6 @@ ReportWish Reader::report(const toml::table& root) {
   return wish;
 }
 
-// Named runs times the grid of axes, or the sample.
-std::vector<Case> all_cases(const std::vector<Case>& named, const std::vector<Axis>& axes,
-                            const std::vector<Case>& sample) {
-  const std::vector<Case> inner = sample.empty() ? grid(axes) : sample;
-  if (named.empty()) return inner;
-  std::vector<Case> cases;
-  for (const Case& run : named) {
-    for (const Case& one : inner) {
-      Case next = run;
-      if (!one.name.empty()) next.name.append("-").append(one.name);
-      next.choices.insert(next.choices.end(), one.choices.begin(), one.choices.end());
-      cases.push_back(std::move(next));
-    }
-  }
-  return cases;
-}
-
 Group Reader::read_group(const toml::table& root) {
   Group group;
   group.name = word(root, "name", std::filesystem::path(file_).stem().string());
@@ -340,7 +283,7 @@ Group Reader::read_group(const toml::table& root) {
   if (!base) return group;
 
   std::set<std::string> names;
-  for (Case& one : all_cases(named, grid_axes, drawn)) {
+  for (Case& one : combined(named, drawn.empty() ? grid(grid_axes) : drawn)) {
     if (one.name.empty()) one.name = "run";
     if (!names.insert(one.name).second)
       fail(nullptr, joined({"two runs are named ", one.name, "; names must differ"}));
@@ -401,6 +344,8 @@ Result<Study> Reader::read(int depth) {
   study.name = word(root, "name", std::filesystem::path(file_).stem().string());
   study.title = word(root, "title", study.name);
   study.text = word(root, "text", "");
+  if (const toml::node* node = root.get("contradictions"); node != nullptr && !node->is_boolean())
+    fail(node, "contradictions must be true or false");
   study.contradictions = root["contradictions"].value_or(false);
   if (root.get("include") != nullptr) {
     read_includes(root, depth, study);

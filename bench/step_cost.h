@@ -27,7 +27,7 @@ struct StepCost {
 };
 
 // Measures `steps` steps of a needle on its way in, 20 mm deep, in a block of about `tetrahedra`; reference
-// and engine take turns. The engine solves to half the reference's residual.
+// and engine take turns. The engine solves to 0.85 of the reference's residual.
 Result<StepCost> measure(int tetrahedra, int steps);
 
 }  // namespace acus::bench

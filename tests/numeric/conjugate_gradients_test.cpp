@@ -33,8 +33,7 @@ struct System {
     }
   }
   CgOutcome solve(NodeVector& x, double target, int max_iterations) const {
-    CgScratch scratch;
-    scratch.resize(nodes);
+    CgScratch<double> scratch(nodes);
     return solve_into(
         x, b, target, max_iterations, scratch,
         [&](NodeVector& y, const NodeVector& p) {

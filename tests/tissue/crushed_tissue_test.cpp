@@ -84,8 +84,7 @@ TEST(ElementRotations, of_random_gradients_are_those_of_the_polar_decomposition)
     corotate_into(tissue.corotation, tissue.model, tissue.position);
     for (int e = 0; e < tets; ++e) {
       Mat3 R;  // its columns are R g_i with g_i the unit vectors
-      for (int i = 0; i < 3; ++i)
-        R.col(i) = Eigen::Map<const Vec3>(&tissue.corotation.rotated_gradient[16 * e + 4 * (i + 1)]);
+      for (int k = 0; k < 9; ++k) R.data()[k] = tissue.corotation.rotated_gradient[lane_place(e, k, 9)];
       ASSERT_TRUE(R.allFinite());
       ASSERT_LT((R.transpose() * R - Mat3::Identity()).norm(), 1e-12) << F[e];
       ASSERT_NEAR(R.determinant(), 1.0, 1e-12) << F[e];

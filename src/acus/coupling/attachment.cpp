@@ -64,24 +64,12 @@ void attach_to_nearest_node_into(Attachment& out, const mesh::Locator& locator, 
   add_weight(out, locator.nearest_node(point), 1.0, free_nodes);
 }
 
-double along(const Attachment& at, const numeric::NodeVector& field, const Vec3& axis) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < at.node.size(); ++i)
-    sum += at.weight[i] * axis.dot(numeric::at(field, at.node[i]));
-  return sum;
-}
-
 double displacement_along(const Attachment& at, std::span<const Vec3> positions, std::span<const Vec3> rest,
                           const Vec3& axis) {
   double sum = 0.0;
   for (std::size_t i = 0; i < at.node.size(); ++i)
     sum += at.weight[i] * axis.dot(positions[at.node[i]] - rest[at.node[i]]);
   return sum;
-}
-
-void add_along(numeric::NodeVector& field, const Attachment& at, double amount, const Vec3& axis) {
-  for (std::size_t i = 0; i < at.node.size(); ++i)
-    numeric::at(field, at.node[i]) += at.weight[i] * amount * axis;
 }
 
 }  // namespace acus::coupling

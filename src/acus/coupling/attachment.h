@@ -43,10 +43,20 @@ void attach_to_nearest_node_into(Attachment& out, const mesh::Locator& locator, 
                                  int free_nodes);
 
 // Component along `axis` of the weighted mean of a nodal field.
-double along(const Attachment& at, const numeric::NodeVector& field, const Vec3& axis);
+template <class Real>
+double along(const Attachment& at, const numeric::NodeVectorOf<Real>& field, const Vec3& axis) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < at.node.size(); ++i)
+    sum += at.weight[i] * axis.dot(numeric::at(field, at.node[i]).template cast<double>());
+  return sum;
+}
 double displacement_along(const Attachment& at, std::span<const Vec3> positions, std::span<const Vec3> rest,
                           const Vec3& axis);
 // Adds `amount` along `axis`, spread by the weights, to a nodal field.
-void add_along(numeric::NodeVector& field, const Attachment& at, double amount, const Vec3& axis);
+template <class Real>
+void add_along(numeric::NodeVectorOf<Real>& field, const Attachment& at, double amount, const Vec3& axis) {
+  for (std::size_t i = 0; i < at.node.size(); ++i)
+    numeric::at(field, at.node[i]) += (at.weight[i] * amount * axis).template cast<Real>();
+}
 
 }  // namespace acus::coupling

@@ -144,16 +144,20 @@ void Locator::search(const Vec3& point, double reach_squared, Visit visit) const
 std::optional<Embedding> Locator::locate(const Vec3& point, double snap) const {
   if (!point.allFinite()) return std::nullopt;
   std::optional<Embedding> found;
-  search(point, snap * snap, [&](int tet, double reach_squared) {
+  const auto visit = [&](int tet, double reach_squared) {
     const Tet& t = tets_[at(tet)];
     const Corners corners = {nodes_[at(t[0])], nodes_[at(t[1])], nodes_[at(t[2])], nodes_[at(t[3])]};
-    const Weights weights = nearest_in_tet(point, corners);
+    Weights weights = barycentric(point, corners);
     const bool inside = std::all_of(weights.begin(), weights.end(), [](double w) { return w > 0.0; });
+    if (!inside && reach_squared == 0.0) return reach_squared;
+    if (!inside) weights = nearest_in_tet(point, corners);
     const double d = inside ? 0.0 : (combine(weights, corners) - point).squaredNorm();
     if (d > reach_squared || (found && d == reach_squared && tet > found->tet)) return reach_squared;
     found = Embedding{tet, t, weights};
     return d;
-  });
+  };
+  search(point, 0.0, visit);  // most points lie inside, where the search is short
+  if (!found) search(point, snap * snap, visit);
   return found;
 }
 

@@ -7,11 +7,12 @@
 
 namespace acus::numeric {
 
+template <class Real>
 struct CgScratch {
-  NodeVector residual, direction, product, preconditioned;
-  void resize(int nodes) {
-    for (NodeVector* v : {&residual, &direction, &product, &preconditioned})
-      v->assign(static_cast<std::size_t>(node_stride) * nodes, 0.0);
+  NodeVectorOf<Real> residual, direction, product, preconditioned;
+  explicit CgScratch(int nodes = 0) {
+    for (NodeVectorOf<Real>* v : {&residual, &direction, &product, &preconditioned})
+      v->assign(static_cast<std::size_t>(node_stride) * nodes, Real{});
   }
 };
 
@@ -24,9 +25,9 @@ struct CgOutcome {
 // Solves A x = b from the start value in x until |b - A x| <= `target` or `max_iterations`.
 // multiply(y, p) writes y = A p; precondition(z, r) writes z ~ A^-1 r with a symmetric positive definite
 // operator.
-template <class Multiply, class Precondition>
-CgOutcome solve_into(NodeVector& x, const NodeVector& b, double target, int max_iterations, CgScratch& s,
-                     const Multiply& multiply, const Precondition& precondition) {
+template <class Real, class Multiply, class Precondition>
+CgOutcome solve_into(NodeVectorOf<Real>& x, const NodeVectorOf<Real>& b, double target, int max_iterations,
+                     CgScratch<Real>& s, const Multiply& multiply, const Precondition& precondition) {
   CgOutcome outcome;
   multiply(s.product, x);
   s.residual = b;
@@ -46,9 +47,7 @@ CgOutcome solve_into(NodeVector& x, const NodeVector& b, double target, int max_
     const double curvature = dot(s.direction, s.product);
     if (!(curvature > 0.0)) break;
     const double step = rz / curvature;
-    add_scaled_into(x, step, s.direction);
-    add_scaled_into(s.residual, -step, s.product);
-    rr = dot(s.residual, s.residual);
+    rr = advance_into(x, s.residual, step, s.direction, s.product);
     ++outcome.iterations;
   }
   outcome.residual_norm = std::sqrt(rr);

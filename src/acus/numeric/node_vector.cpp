@@ -5,32 +5,106 @@
 #include "acus/numeric/simd.h"
 
 namespace acus::numeric {
+namespace {
 
-ACUS_KERNEL double dot(std::span<const double> a, std::span<const double> b) {
+using Lane8f = float __attribute__((vector_size(32)));
+
+// Eight numbers as doubles.
+ACUS_INLINE Lane8 load_wide(const double* p) { return load_lanes(p); }
+ACUS_INLINE Lane8 load_wide(const float* p) {
+  Lane8f v;
+  std::memcpy(&v, p, sizeof v);
+  return __builtin_convertvector(v, Lane8);
+}
+ACUS_INLINE double total(Lane8 v) {
+  return ((v[0] + v[4]) + (v[1] + v[5])) + ((v[2] + v[6]) + (v[3] + v[7]));
+}
+
+// Four sums run side by side, so that an addition need not wait for the one before; the last few numbers come
+// one by one.
+template <class Real>
+ACUS_INLINE double sum_of_products(std::span<const Real> a, std::span<const Real> b) {
   assert(a.size() == b.size());
-  const double* pa = a.data();
-  const double* pb = b.data();
-  const std::size_t n = a.size() / 4;
-  Lane4 s0{}, s1{};
+  const Real* pa = a.data();
+  const Real* pb = b.data();
+  constexpr std::size_t width = 8, unrolled = 4;
+  Lane8 sums[unrolled] = {};
   std::size_t i = 0;
-  for (; i + 1 < n; i += 2) {
-    s0 += load4(pa + 4 * i) * load4(pb + 4 * i);
-    s1 += load4(pa + 4 * i + 4) * load4(pb + 4 * i + 4);
-  }
-  if (i < n) s0 += load4(pa + 4 * i) * load4(pb + 4 * i);
-  return sum(s0 + s1);
+  for (; i + width * unrolled <= a.size(); i += width * unrolled)
+    for (std::size_t k = 0; k < unrolled; ++k)
+      sums[k] += load_wide(pa + i + width * k) * load_wide(pb + i + width * k);
+  double rest = 0.0;
+  for (; i < a.size(); ++i) rest += static_cast<double>(pa[i]) * static_cast<double>(pb[i]);
+  return total((sums[0] + sums[1]) + (sums[2] + sums[3])) + rest;
 }
 
-ACUS_KERNEL void add_scaled_into(NodeVector& y, double factor, const NodeVector& x) {
-  double* py = y.data();
-  const double* px = x.data();
-  for (std::size_t i = 0; i < y.size(); i += 4) store4(py + i, load4(py + i) + factor * load4(px + i));
+template <class Y, class X>
+ACUS_INLINE void add_scaled(std::span<Y> y, double factor, std::span<const X> x) {
+  Y* py = y.data();
+  const X* px = x.data();
+  const Y f = static_cast<Y>(factor);
+  for (std::size_t i = 0; i < y.size(); ++i) py[i] += f * static_cast<Y>(px[i]);
 }
 
-ACUS_KERNEL void scale_and_add_into(NodeVector& y, double factor, const NodeVector& x) {
-  double* py = y.data();
+template <class Real>
+ACUS_INLINE void scale_and_add(std::span<Real> y, double factor, std::span<const Real> x) {
+  Real* py = y.data();
+  const Real* px = x.data();
+  const Real f = static_cast<Real>(factor);
+  for (std::size_t i = 0; i < y.size(); ++i) py[i] = px[i] + f * py[i];
+}
+
+template <class Real>
+ACUS_INLINE double advance_both(std::span<Real> x, std::span<Real> residual, double step,
+                                std::span<const Real> direction, std::span<const Real> product) {
+  add_scaled(x, step, direction);
+  add_scaled(residual, -step, product);
+  return sum_of_products(std::span<const Real>(residual), std::span<const Real>(residual));
+}
+
+}  // namespace
+
+ACUS_KERNEL double dot(std::span<const double> a, std::span<const double> b) { return sum_of_products(a, b); }
+ACUS_KERNEL double dot(std::span<const float> a, std::span<const float> b) { return sum_of_products(a, b); }
+
+ACUS_KERNEL void add_scaled_into(std::span<double> y, double factor, std::span<const double> x) {
+  add_scaled(y, factor, x);
+}
+ACUS_KERNEL void add_scaled_into(std::span<float> y, double factor, std::span<const float> x) {
+  add_scaled(y, factor, x);
+}
+ACUS_KERNEL void add_scaled_into(std::span<double> y, double factor, std::span<const float> x) {
+  add_scaled(y, factor, x);
+}
+
+ACUS_KERNEL void scale_and_add_into(std::span<double> y, double factor, std::span<const double> x) {
+  scale_and_add(y, factor, x);
+}
+ACUS_KERNEL void scale_and_add_into(std::span<float> y, double factor, std::span<const float> x) {
+  scale_and_add(y, factor, x);
+}
+
+ACUS_KERNEL void scale_into(std::span<float> y, double factor, std::span<const double> x) {
+  float* py = y.data();
   const double* px = x.data();
-  for (std::size_t i = 0; i < y.size(); i += 4) store4(py + i, load4(px + i) + factor * load4(py + i));
+  for (std::size_t i = 0; i < y.size(); ++i) py[i] = static_cast<float>(factor * px[i]);
+}
+
+ACUS_KERNEL void multiply_diagonal_into(std::span<float> y, std::span<const float> diagonal,
+                                        std::span<const float> x) {
+  float* py = y.data();
+  const float* px = x.data();
+  for (std::size_t i = 0; i < diagonal.size(); ++i)
+    store4(py + node_stride * i, diagonal[i] * load4(px + node_stride * i));
+}
+
+ACUS_KERNEL double advance_into(std::span<double> x, std::span<double> residual, double step,
+                                std::span<const double> direction, std::span<const double> product) {
+  return advance_both(x, residual, step, direction, product);
+}
+ACUS_KERNEL double advance_into(std::span<float> x, std::span<float> residual, double step,
+                                std::span<const float> direction, std::span<const float> product) {
+  return advance_both(x, residual, step, direction, product);
 }
 
 }  // namespace acus::numeric

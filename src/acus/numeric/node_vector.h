@@ -1,4 +1,4 @@
-// Vectors with one padded 3-vector per node: four doubles, the last always zero, so that a node is one load.
+// Vectors with one padded 3-vector per node: four numbers, the last zero, so that a node is one load.
 #pragma once
 
 #include <span>
@@ -10,18 +10,37 @@ namespace acus::numeric {
 
 inline constexpr int node_stride = 4;
 
-using NodeVector = std::vector<double>;  // node_stride doubles per node
+template <class Real>
+using NodeVectorOf = std::vector<Real>;  // node_stride numbers per node
+using NodeVector = NodeVectorOf<double>;
 
-inline Eigen::Map<Vec3> at(NodeVector& v, int node) {
-  return Eigen::Map<Vec3>(v.data() + node_stride * node);
+template <class Real>
+Eigen::Map<Eigen::Matrix<Real, 3, 1>> at(NodeVectorOf<Real>& v, int node) {
+  return Eigen::Map<Eigen::Matrix<Real, 3, 1>>(v.data() + node_stride * node);
 }
-inline Eigen::Map<const Vec3> at(const NodeVector& v, int node) {
-  return Eigen::Map<const Vec3>(v.data() + node_stride * node);
+template <class Real>
+Eigen::Map<const Eigen::Matrix<Real, 3, 1>> at(const NodeVectorOf<Real>& v, int node) {
+  return Eigen::Map<const Eigen::Matrix<Real, 3, 1>>(v.data() + node_stride * node);
 }
 
-// Sums run in one fixed order, so they are the same on every machine.
+// Sums run in one fixed order, so they are the same on every machine; those of floats are kept in double.
 double dot(std::span<const double> a, std::span<const double> b);
-void add_scaled_into(NodeVector& y, double factor, const NodeVector& x);     // y += factor x
-void scale_and_add_into(NodeVector& y, double factor, const NodeVector& x);  // y = x + factor y
+double dot(std::span<const float> a, std::span<const float> b);
+// y += factor x
+void add_scaled_into(std::span<double> y, double factor, std::span<const double> x);
+void add_scaled_into(std::span<float> y, double factor, std::span<const float> x);
+void add_scaled_into(std::span<double> y, double factor, std::span<const float> x);
+// y = x + factor y
+void scale_and_add_into(std::span<double> y, double factor, std::span<const double> x);
+void scale_and_add_into(std::span<float> y, double factor, std::span<const float> x);
+// y = factor x
+void scale_into(std::span<float> y, double factor, std::span<const double> x);
+// y = D x for a diagonal of one number per node.
+void multiply_diagonal_into(std::span<float> y, std::span<const float> diagonal, std::span<const float> x);
+// x += step direction, residual -= step product; returns the square of the residual's norm.
+double advance_into(std::span<double> x, std::span<double> residual, double step,
+                    std::span<const double> direction, std::span<const double> product);
+double advance_into(std::span<float> x, std::span<float> residual, double step,
+                    std::span<const float> direction, std::span<const float> product);
 
 }  // namespace acus::numeric

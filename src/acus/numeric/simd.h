@@ -5,9 +5,31 @@
 
 namespace acus::numeric {
 
-// Four and eight doubles. Lane-wise + - * / only; a sum over lanes is always written out in one fixed order.
+// Lane-wise + - * / only; a sum over lanes is always written out in one fixed order.
 using Lane4 = double __attribute__((vector_size(32)));
 using Lane8 = double __attribute__((vector_size(64)));
+using Lane4f = float __attribute__((vector_size(16)));
+using Lane16f = float __attribute__((vector_size(64)));
+
+// For either precision: four numbers of one node, and one number of as many elements as fill 64 bytes.
+template <class Real>
+struct LanesOf;
+template <>
+struct LanesOf<double> {
+  using Node = Lane4;
+  using Elements = Lane8;
+};
+template <>
+struct LanesOf<float> {
+  using Node = Lane4f;
+  using Elements = Lane16f;
+};
+template <class Real>
+using NodeLane = typename LanesOf<Real>::Node;
+template <class Real>
+using ElementLane = typename LanesOf<Real>::Elements;
+template <class Real>
+inline constexpr int lane_count = sizeof(ElementLane<Real>) / sizeof(Real);
 
 #define ACUS_INLINE inline __attribute__((always_inline))
 
@@ -20,12 +42,27 @@ using Lane8 = double __attribute__((vector_size(64)));
 #define ACUS_KERNEL
 #endif
 
-ACUS_INLINE Lane4 load4(const double* p) {
-  Lane4 v;
+template <class Real>
+ACUS_INLINE NodeLane<Real> load4(const Real* p) {
+  NodeLane<Real> v;
   std::memcpy(&v, p, sizeof v);
   return v;
 }
+// Three numbers and a zero.
+ACUS_INLINE Lane4 load3(const double* p) {
+  using Lane2 = double __attribute__((vector_size(16)));
+  Lane2 xy;
+  std::memcpy(&xy, p, sizeof xy);
+  return __builtin_shufflevector(xy, Lane2{p[2], 0.0}, 0, 1, 2, 3);
+}
 ACUS_INLINE void store4(double* p, Lane4 v) { std::memcpy(p, &v, sizeof v); }
+ACUS_INLINE void store4(float* p, Lane4f v) { std::memcpy(p, &v, sizeof v); }
+template <class Real>
+ACUS_INLINE ElementLane<Real> load_lanes(const Real* p) {
+  ElementLane<Real> v;
+  std::memcpy(&v, p, sizeof v);
+  return v;
+}
 ACUS_INLINE double sum(Lane4 v) { return (v[0] + v[1]) + (v[2] + v[3]); }
 
 }  // namespace acus::numeric

@@ -11,13 +11,13 @@ namespace {
 using coupling::Grip;
 using numeric::NodeVector;
 
-constexpr int max_passes = 12;                // branch corrections; two or three are usual
-constexpr int max_iterations = 4000;          // of one conjugate-gradient solve
-constexpr double influence_tolerance = 1e-3;  // of y: it only carries small corrections of the rate
+constexpr int max_passes = 12;        // branch corrections; two or three are usual
+constexpr int max_iterations = 4000;  // of one conjugate-gradient solve
 
-// y = A x + h sum over sticking points of rate_j h W_j^T a (W_j a . x): their springs act within the step.
-void multiply_with_sticks(NodeVector& y, const Model& m, const Scratch& w, const NodeVector& x) {
-  tissue::multiply_into(y, m.tissue, w.matrix, x);
+// y += h sum over sticking points of rate_j h W_j^T a (W_j a . x): their springs act within the step.
+template <class Real>
+void add_sticks(numeric::NodeVectorOf<Real>& y, const Model& m, const Scratch& w,
+                const numeric::NodeVectorOf<Real>& x) {
   const double h = m.scene.run.time_step;
   for (const HeldPoint& p : w.held) {
     if (p.grip != Grip::stick) continue;
@@ -26,23 +26,37 @@ void multiply_with_sticks(NodeVector& y, const Model& m, const Scratch& w, const
   }
 }
 
-numeric::CgOutcome solve_tissue(NodeVector& x, const NodeVector& b, double target, const Model& m,
-                                Scratch& w) {
-  return numeric::solve_into(
-      x, b, target, max_iterations, w.cg,
-      [&](NodeVector& y, const NodeVector& p) { multiply_with_sticks(y, m, w, p); },
-      [&](NodeVector& z, const NodeVector& r) {
-        numeric::multiply_diagonal_into(z, w.matrix.inverse_diagonal, r);
-      });
+// y = A x, sticking points included, in the precision of the vectors.
+struct Product {
+  const Model& m;
+  const Scratch& w;
+  void operator()(NodeVector& y, const NodeVector& x) const {
+    tissue::multiply_into(y, m.tissue, w.corotation, w.matrix, x);
+    add_sticks(y, m, w, x);
+  }
+  void operator()(numeric::NodeVectorOf<float>& y, const numeric::NodeVectorOf<float>& x) const {
+    tissue::multiply_into(y, m.tissue, w.matrix, x);
+    add_sticks(y, m, w, x);
+  }
+};
+
+auto preconditioner(const Model& m, Scratch& w) {
+  using Single = numeric::NodeVectorOf<float>;
+  return [&](Single& z, const Single& r) {
+    numeric::multiply_diagonal_into(z, w.matrix.inverse_diagonal, r);
+    numeric::add_coarse_correction_into(z, m.coarse, r, w.coarse);
+  };
 }
 
-numeric::CgOutcome solve_influence(const Model& m, State& s, Scratch& w) {
+// Single precision will do for y, which carries small corrections only; what it leaves a pass checks.
+numeric::CgOutcome solve_influence(const Model& m, State& s, Scratch& w, double tolerance) {
   const double norm = std::sqrt(numeric::dot(w.stick_load, w.stick_load));
   if (norm == 0.0) {  // everything slips: the tissue does not feel the needle's rate
-    std::fill(s.influence.begin(), s.influence.end(), 0.0);
+    std::fill(s.influence.begin(), s.influence.end(), 0.0F);
     return {};
   }
-  return solve_tissue(s.influence, w.stick_load, influence_tolerance * norm, m, w);
+  return numeric::solve_into(s.influence, w.stick_load, tolerance * norm, max_iterations, w.solver.single,
+                             Product{m, w}, preconditioner(m, w));
 }
 
 // What the held points do to the needle, as a function of its rate w about `guess`:
@@ -98,7 +112,7 @@ bool correct_grips(const Model& m, const State& s, Scratch& w, double rate) {
 void load_right_hand_side(const Model& m, Scratch& w, double rate) {
   const double h = m.scene.run.time_step;
   w.right_hand_side = w.momentum;
-  std::fill(w.stick_load.begin(), w.stick_load.end(), 0.0);
+  std::fill(w.stick_load.begin(), w.stick_load.end(), 0.0F);
   for (const HeldPoint& p : w.held) {
     const coupling::LinearForce f = coupling::force_on(p.slider, p.grip);
     coupling::add_along(w.right_hand_side, *p.at, h * (f.constant + f.rate * h * rate), m.path.direction);
@@ -118,10 +132,10 @@ double line_search(const Model& m, const State& s, Scratch& w, double hub_travel
   NodeVector& change = w.right_hand_side;
   change = s.velocity;
   numeric::add_scaled_into(change, -1.0, w.velocity_tried);
-  tissue::multiply_into(w.cg.product, m.tissue, w.matrix, w.velocity_tried);
-  const double slope_at_start = numeric::dot(change, w.cg.product) - numeric::dot(change, w.momentum);
-  tissue::multiply_into(w.cg.product, m.tissue, w.matrix, change);
-  const double curvature = numeric::dot(change, w.cg.product);
+  tissue::multiply_into(w.product, m.tissue, w.corotation, w.matrix, w.velocity_tried);
+  const double slope_at_start = numeric::dot(change, w.product) - numeric::dot(change, w.momentum);
+  tissue::multiply_into(w.product, m.tissue, w.corotation, w.matrix, change);
+  const double curvature = numeric::dot(change, w.product);
   const double rate_change = rate - rate_before;
   const auto slope = [&](double t) {
     const double r = rate_before + t * rate_change;
@@ -146,11 +160,12 @@ Scratch build_scratch(const Model& m) {
   if (m.rigid()) return w;
   w.corotation = tissue::build_corotation(m.tissue);
   w.matrix = tissue::build_system_matrix(m.tissue);
-  w.cg.resize(m.tissue.free_nodes);
+  w.solver = numeric::RefinedScratch(m.tissue.free_nodes);
+  w.coarse = numeric::build_scratch(m.coarse);
   const std::size_t size = static_cast<std::size_t>(m.tissue.free_nodes) * numeric::node_stride;
-  for (NodeVector* v :
-       {&w.momentum, &w.right_hand_side, &w.stick_load, &w.velocity_before, &w.velocity_tried})
+  for (NodeVector* v : {&w.product, &w.momentum, &w.right_hand_side, &w.velocity_before, &w.velocity_tried})
     v->assign(size, 0.0);
+  w.stick_load.assign(size, 0.0F);
   w.held.reserve(static_cast<std::size_t>(m.channel.cells()) + 1);
   return w;
 }
@@ -164,16 +179,18 @@ CoupledOutcome solve_coupled(const Model& m, State& s, Scratch& w, double hub_tr
   CoupledOutcome outcome;
   double rate = s.tip_rate;
   correct_grips(m, s, w, rate);
+  double influence_tolerance = 0.1;
   for (int pass = 0; pass < max_passes; ++pass) {
     w.velocity_tried = s.velocity;
     load_right_hand_side(m, w, rate);
     const double norm = std::sqrt(numeric::dot(w.right_hand_side, w.right_hand_side));
     const double target = m.scene.run.solver_tolerance * norm;
-    const numeric::CgOutcome solve = solve_tissue(s.velocity, w.right_hand_side, target, m, w);
-    const numeric::CgOutcome answer = solve_influence(m, s, w);
+    const numeric::CgOutcome solve = numeric::solve_refined_into(
+        s.velocity, w.right_hand_side, target, max_iterations, w.solver, Product{m, w}, preconditioner(m, w));
+    const numeric::CgOutcome answer = solve_influence(m, s, w, influence_tolerance);
     outcome.iterations += solve.iterations + answer.iterations;
-    outcome.broke_down = solve.broke_down || answer.broke_down || solve.iterations == max_iterations ||
-                         answer.iterations == max_iterations;
+    outcome.broke_down = solve.broke_down || answer.broke_down || solve.iterations >= max_iterations ||
+                         answer.iterations >= max_iterations;
     if (outcome.broke_down) return outcome;
 
     const double guess = rate;
@@ -195,6 +212,7 @@ CoupledOutcome solve_coupled(const Model& m, State& s, Scratch& w, double hub_tr
       s.tip_rate = rate;
       return outcome;
     }
+    influence_tolerance = std::max(1e-2 * influence_tolerance, 1e-5);  // floats go no further
   }
   outcome.broke_down = true;
   return outcome;

@@ -12,7 +12,7 @@
 #pragma once
 
 #include "acus/coupling/slider.h"
-#include "acus/numeric/conjugate_gradients.h"
+#include "acus/numeric/refined_solve.h"
 #include "acus/sim/state.h"
 
 namespace acus {
@@ -29,14 +29,16 @@ struct HeldPoint {
 
 struct Scratch {
   tissue::Corotation corotation;  // at the present positions
-  tissue::SystemMatrix matrix;
-  numeric::CgScratch cg;
+  tissue::SystemMatrix matrix;    // at the same
+  numeric::RefinedScratch solver;
+  numeric::CoarseScratch coarse;
+  numeric::NodeVector product;   // of the matrix
   numeric::NodeVector momentum;  // M v0 + h f_el + impulses that do not depend on the step
   numeric::NodeVector right_hand_side;
-  numeric::NodeVector stick_load;       // answer wanted for a unit rate of the needle
-  numeric::NodeVector velocity_before;  // at the start of the step
-  numeric::NodeVector velocity_tried;   // at the start of a line search
-  std::vector<HeldPoint> held;          // the tip first
+  numeric::NodeVectorOf<float> stick_load;  // answer wanted for a unit rate of the needle
+  numeric::NodeVector velocity_before;      // at the start of the step
+  numeric::NodeVector velocity_tried;       // at the start of a line search
+  std::vector<HeldPoint> held;              // the tip first
 };
 Scratch build_scratch(const Model& model);
 

@@ -28,6 +28,20 @@ int free_nodes_first(mesh::TetMesh& mesh, const std::vector<bool>& held) {
   return static_cast<int>(first_held - order.begin());
 }
 
+// Deals the tetrahedra to the lanes of the kernels like cards from as many stacks, each a run of neighbours:
+// the elements of a batch then share no nodes, and adding to a node need not wait for the one before.
+void deal_to_lanes(mesh::TetMesh& mesh) {
+  const std::size_t batches = (mesh.tets.size() + tissue::padding - 1) / tissue::padding;
+  const mesh::TetMesh from = mesh;
+  mesh.tets.clear();
+  mesh.region.clear();
+  for (std::size_t batch = 0; batch < batches; ++batch)
+    for (std::size_t e = batch; e < from.tets.size(); e += batches) {
+      mesh.tets.push_back(from.tets[e]);
+      mesh.region.push_back(from.region[e]);
+    }
+}
+
 // The nodes in the far part of the mesh along `direction`: the share `fraction` of its extent.
 std::vector<bool> far_nodes(const mesh::TetMesh& mesh, const Vec3& direction, double fraction) {
   double nearest = direction.dot(mesh.nodes.front());
@@ -75,6 +89,18 @@ void build_channel(Model& m) {
   }
 }
 
+// The system matrix at rest, on a coarse grid.
+numeric::CoarseSpace coarse_space_at_rest(const Model& m) {
+  tissue::Corotation corotation = tissue::build_corotation(m.tissue);
+  auto matrix = tissue::build_system_matrix(m.tissue);
+  tissue::corotate_into(corotation, m.tissue, m.mesh.nodes);
+  tissue::assemble_into(matrix, m.tissue, corotation, m.factors.mass, m.factors.stiffness);
+  return numeric::build_coarse_space(std::span(m.mesh.nodes).first(m.tissue.free_nodes),
+                                     [&](numeric::NodeVector& y, const numeric::NodeVector& x) {
+                                       tissue::multiply_into(y, m.tissue, corotation, matrix, x);
+                                     });
+}
+
 }  // namespace
 
 void attach_tip_into(coupling::Attachment& out, const Model& m, double depth) {
@@ -103,6 +129,7 @@ Result<Model> build_model(const Scene& scene, const mesh::TetMesh* mesh) {
   auto built = tissue_mesh(m, mesh);
   if (!built) return built.error();
   m.mesh = mesh::ordered_for_locality(*built);
+  deal_to_lanes(m.mesh);
   const double held_fraction = mesh ? scene.tissue.fixed_fraction : 0.0;
   const int free_nodes = free_nodes_first(m.mesh, far_nodes(m.mesh, m.path.direction, held_fraction));
   const TissueScene& t = scene.tissue;
@@ -113,6 +140,7 @@ Result<Model> build_model(const Scene& scene, const mesh::TetMesh* mesh) {
   m.tissue = std::move(*tissue);
   m.damping = {t.damping_mass, t.damping_stiffness};
   m.factors = tissue::step_factors(scene.run.time_step, m.damping);
+  m.coarse = coarse_space_at_rest(m);
   m.locator.emplace(m.mesh);
   m.disc_rings = coupling::rings_for(scene.contact.contact_radius, mesh::quality(m.mesh).shortest_edge);
   attach_tip_into(m.entry, m, 0.0);

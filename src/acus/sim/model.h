@@ -7,6 +7,7 @@
 #include "acus/mesh/locator.h"
 #include "acus/mesh/path.h"
 #include "acus/needle/column.h"
+#include "acus/numeric/coarse_space.h"
 #include "acus/sim/scene.h"
 #include "acus/tissue/motion.h"
 #include "acus/tissue/tissue_model.h"
@@ -26,6 +27,7 @@ struct Model {
   tissue::TissueModel tissue;
   tissue::Rayleigh damping;
   tissue::StepFactors factors;
+  numeric::CoarseSpace coarse;              // for the tissue at rest
   coupling::Attachment entry;               // of the surface at the entry, spread like a tip load
   int disc_rings = coupling::fewest_rings;  // of the points that spread a tip load
   coupling::Channel channel;

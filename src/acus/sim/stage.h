@@ -24,7 +24,8 @@ struct Observed {
   bool through_now = false;
 };
 
-// Updates state.buckled, and writes stage and events of the step that `frame` describes.
+// Updates state.buckled, and writes stage and events of the step that `frame` describes. A buckling with the
+// tip inside the tissue is the paper's second one, whether or not the needle had buckled before the puncture.
 void decide_stage(State& state, const Observed& observed, Frame& frame, std::vector<Event>& events);
 
 }  // namespace acus

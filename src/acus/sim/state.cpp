@@ -32,7 +32,8 @@ State initial_state(const Model& m) {
   if (m.rigid()) return s;
   s.position = m.mesh.nodes;
   s.velocity.assign(static_cast<std::size_t>(m.tissue.free_nodes) * numeric::node_stride, 0.0);
-  s.influence = s.velocity;
+  s.velocity_change = s.velocity;
+  s.influence.assign(s.velocity.size(), 0.0F);
   s.tip = m.entry;
   s.tip.reserve(4 * coupling::points_of(m.disc_rings));
   s.channel.length.assign(m.channel.cells(), 0.0);

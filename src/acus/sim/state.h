@@ -10,10 +10,12 @@
 namespace acus {
 
 struct State {
-  long steps = 0;                 // taken so far; time is this many time steps, without a sum's rounding
-  std::vector<Vec3> position;     // m, [nodes]; advance
-  numeric::NodeVector velocity;   // m/s, [free nodes]; solve_coupled
-  numeric::NodeVector influence;  // m/s of the tissue per m/s of the needle, [free nodes]; solve_coupled
+  long steps = 0;                // taken so far; time is this many time steps, without a sum's rounding
+  std::vector<Vec3> position;    // m, [nodes]; advance
+  numeric::NodeVector velocity;  // m/s, [free nodes]; solve_coupled
+  numeric::NodeVector velocity_change;  // m/s, over the last step, [free nodes]; advance
+  // m/s of the tissue per m/s of the needle, [free nodes], roughly; solve_coupled
+  numeric::NodeVectorOf<float> influence;
 
   double hub_travel = 0.0;    // m, along the axis, 0 where the tip touches the tissue at rest
   double tip_position = 0.0;  // m, along the axis below the undeformed entry

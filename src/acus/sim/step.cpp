@@ -17,6 +17,8 @@ struct Before {
   double tip_rate = 0.0;       // m/s
   double tissue_energy = 0.0;  // J
   double elastic_work = 0.0;   // J, of the forces at the beginning over the step's displacement
+  double matrix_product =
+      0.0;  // kg m^2/s^2, v . A v with the matrix at the beginning and the step's velocity
 
   // Q, against the needle and into the tissue at the entry: sliding in bends the free part further. N
   double configurational_force(const Model& m) const {
@@ -52,11 +54,11 @@ void touch(const Model& m, State& s, Scratch& w, const NeedlePlace& place) {
       w.held.push_back({coupling::slider_of(m.channel, s.channel, cell), &m.channel.attachment[cell], cell});
 }
 
-bool assemble(const Model& m, const State& s, Scratch& w, double configurational_force) {
+void assemble(const Model& m, const State& s, Scratch& w, double configurational_force) {
   const double h = m.scene.run.time_step;
   tissue::momentum_into(w.momentum, m.tissue, s.velocity, w.corotation.elastic_force, h);
   coupling::add_along(w.momentum, m.entry, h * configurational_force, m.path.direction);
-  return tissue::assemble_into(w.matrix, m.tissue, w.corotation, m.factors.mass, m.factors.stiffness);
+  tissue::assemble_into(w.matrix, m.tissue, w.corotation, m.factors.mass, m.factors.stiffness);
 }
 
 // Carries out the sliders' steps and books what they spent. Returns the tip's.
@@ -120,13 +122,11 @@ bool cut(const Model& m, State& s, double slip) {
 // change is booked too.
 void account_tissue(const Model& m, State& s, Scratch& w, const Before& before) {
   const double h = m.scene.run.time_step;
-  tissue::multiply_into(w.cg.product, m.tissue, w.matrix, s.velocity);
   const double vmv = tissue::mass_product(m.tissue, s.velocity);
-  const double vkv = (numeric::dot(s.velocity, w.cg.product) - m.factors.mass * vmv) / m.factors.stiffness;
-  numeric::add_scaled_into(w.velocity_before, -1.0, s.velocity);
+  const double vkv = (before.matrix_product - m.factors.mass * vmv) / m.factors.stiffness;
   const double frozen_energy = before.tissue_energy - before.elastic_work + 0.5 * h * h * vkv;
   s.ledger.work_damping += h * (m.damping.mass * vmv + m.damping.stiffness * vkv);
-  s.ledger.work_numerical += 0.5 * tissue::mass_product(m.tissue, w.velocity_before) + 0.5 * h * h * vkv +
+  s.ledger.work_numerical += 0.5 * tissue::mass_product(m.tissue, s.velocity_change) + 0.5 * h * h * vkv +
                              (frozen_energy - w.corotation.energy);
   s.ledger.energy_tissue = w.corotation.energy;
   s.ledger.energy_contact = contact_energy(m, s);
@@ -162,15 +162,21 @@ bool move_together(const Model& m, State& s, Scratch& w, double hub_travel, Befo
   touch(m, s, w, before.place);
   probe(StepPart::touch);
   const double configurational = before.configurational_force(m);
-  if (!assemble(m, s, w, configurational)) return false;
+  assemble(m, s, w, configurational);
   probe(StepPart::assembly);
   w.velocity_before = s.velocity;
+  numeric::add_scaled_into(s.velocity, 1.0, s.velocity_change);  // a start near the answer
   const CoupledOutcome solved = solve_coupled(m, s, w, hub_travel, before.place.free_length, configurational);
   if (solved.broke_down) return false;
   frame.solver_iterations = solved.iterations;
+  s.velocity_change = s.velocity;
+  numeric::add_scaled_into(s.velocity_change, -1.0, w.velocity_before);
   probe(StepPart::solve);
   before.elastic_work =
       h * numeric::dot(std::span(w.corotation.elastic_force).first(s.velocity.size()), s.velocity);
+  tissue::multiply_into(w.product, m.tissue, w.corotation, w.matrix, s.velocity);
+  before.matrix_product = numeric::dot(s.velocity, w.product);
+  probe(StepPart::ledger);
   tissue::move(s.position, s.velocity, h);
   s.tip_position += h * s.tip_rate;
   tissue::corotate_into(w.corotation, m.tissue, s.position);

@@ -17,7 +17,7 @@
 namespace acus::tissue {
 
 struct Corotation {
-  std::vector<double> rotated_gradient;  // [tets][4 corners][node_stride] 1/m: R g_i, padded
+  std::vector<double> rotated_gradient;  // [groups][9][lanes] 1/m: q_i = R g_i of corners 1 to 3
   std::vector<double> dilation;          // [nodes] theta_a; stays empty for linear
   numeric::NodeVector elastic_force;     // [nodes] N, of the tissue on its nodes
   double energy = 0.0;                   // J

@@ -13,9 +13,7 @@ std::vector<double> von_mises(const TissueModel& model, std::span<const Vec3> po
     Mat3 F = Mat3::Zero();
     for (int i = 0; i < 3; ++i) {
       Vec3 gradient;
-      for (int c = 0; c < 3; ++c)
-        gradient[c] =
-            model.gradient[(static_cast<std::size_t>(e / lanes) * 9 + 3 * i + c) * lanes + e % lanes];
+      for (int c = 0; c < 3; ++c) gradient[c] = model.gradient[lane_place(e, 3 * i + c, 9)];
       F += (positions[t[i + 1]] - positions[t[0]]) * gradient.transpose();
     }
     const Mat3 stretch = numeric::rotation_of(F).transpose() * F;

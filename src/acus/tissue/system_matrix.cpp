@@ -2,109 +2,220 @@
 
 #include <algorithm>
 
-#include "acus/numeric/simd.h"
+#include "acus/tissue/lanes.h"
 
 namespace acus::tissue {
 namespace {
 
-using numeric::block_stride;
-using numeric::Lane4;
 using numeric::load4;
+using numeric::load_lanes;
 using numeric::node_stride;
 using numeric::store4;
 
-// Block (i, j) of V (lambda q_i q_j^T + mu q_j q_i^T + mu (q_i . q_j) I), added column by column.
-ACUS_INLINE void add_block(double* block, Lane4 qi, Lane4 qj, double lambda_v, double mu_v) {
-  const Lane4 a = lambda_v * qi;
-  const Lane4 b = mu_v * qj;
-  const double diagonal = mu_v * (qi[0] * qj[0] + qi[1] * qj[1] + qi[2] * qj[2]);
-  for (int c = 0; c < 3; ++c) {
-    Lane4 column = a * qj[c] + b * qi[c];
-    column[c] += diagonal;
-    store4(block + 4 * c, load4(block + 4 * c) + column);
+// Numbers of eight elements, straight from where they are kept.
+class ExactElements {
+ public:
+  using Real = double;
+  ACUS_INLINE ExactElements(const TissueModel& m, const Corotation& corotation, double factor)
+      : gradient_(corotation.rotated_gradient.data()),
+        volume_(m.volume.data()),
+        shear_(m.shear.data()),
+        lambda_(m.local_lambda.data()),
+        factor_(factor) {}
+  ACUS_INLINE void go_to(std::size_t first) { first_ = first; }
+  // q_1, q_2, q_3, component by component
+  ACUS_INLINE numeric::Lane8 q(int k) const { return load_lanes(gradient_ + 9 * first_ + k * lanes); }
+  ACUS_INLINE numeric::Lane8 mu_v() const { return factor_ * load_lanes(shear_ + first_) * volume(); }
+  ACUS_INLINE numeric::Lane8 lambda_v() const { return factor_ * load_lanes(lambda_ + first_) * volume(); }
+  ACUS_INLINE numeric::Lane8 quarter_v() const { return 0.25 * volume(); }
+
+ private:
+  ACUS_INLINE numeric::Lane8 volume() const { return load_lanes(volume_ + first_); }
+  const double *gradient_, *volume_, *shear_, *lambda_;
+  double factor_;
+  std::size_t first_ = 0;
+};
+
+// Those of sixteen, packed.
+class PackedElements {
+ public:
+  using Real = float;
+  ACUS_INLINE explicit PackedElements(const SystemMatrix& a) : element_(a.element.data()) {}
+  ACUS_INLINE void go_to(std::size_t first) { first_ = element_ + first * element_numbers; }
+  ACUS_INLINE numeric::Lane16f q(int k) const { return load_lanes(first_ + k * padding); }
+  ACUS_INLINE numeric::Lane16f mu_v() const { return q(9); }
+  ACUS_INLINE numeric::Lane16f lambda_v() const { return q(10); }
+  ACUS_INLINE numeric::Lane16f quarter_v() const { return q(11); }
+
+ private:
+  const float* element_;
+  const float* first_ = nullptr;
+};
+
+// The edges x_i - x_0 of a field on the elements, i = 1 .. 3, component by component.
+template <class Real>
+ACUS_INLINE void gather_edges(ElementLane<Real>* edge, const Real* field, const mesh::Tet* offsets) {
+  ElementLane<Real> origin[4], corner[4];
+  gather_corner(origin, field, offsets, 0);
+  for (int i = 0; i < 3; ++i) {
+    gather_corner(corner, field, offsets, i + 1);
+    for (int c = 0; c < 3; ++c) edge[3 * i + c] = corner[c] - origin[c];
   }
 }
 
-ACUS_KERNEL void assemble_blocks(SystemMatrix& out, const TissueModel& m, const Corotation& corotation,
-                                 double factor) {
-  for (int e = 0; e < m.tets; ++e) {
-    const double* q = &corotation.rotated_gradient[static_cast<std::size_t>(e) * 4 * node_stride];
-    const Lane4 corner[4] = {load4(q), load4(q + 4), load4(q + 8), load4(q + 12)};
-    const double mu_v = factor * m.shear[e] * m.volume[e];
-    const double lambda_v = factor * m.local_lambda[e] * m.volume[e];
-    const auto& slot = m.slot[e];
+// Adds what the elements do by themselves and, `with_dilation`, beside it V tr(G) / 4 for the nodes' means.
+template <bool with_dilation, class Elements, class Real = typename Elements::Real>
+ACUS_INLINE void add_local(const TissueModel& m, Elements s, const Real* field, Real* reaction) {
+  using Lane = ElementLane<Real>;
+  for (std::size_t first = 0; first < m.offsets.size(); first += lane_count<Real>) {
+    s.go_to(first);
+    const mesh::Tet* offsets = m.offsets.data() + first;
+    Lane edge[9], g[9];  // entry (r, c) of G at 3 c + r
+    gather_edges(edge, field, offsets);
+    for (int c = 0; c < 3; ++c)
+      for (int r = 0; r < 3; ++r)
+        g[3 * c + r] = edge[r] * s.q(c) + edge[3 + r] * s.q(3 + c) + edge[6 + r] * s.q(6 + c);
+    const Lane trace = g[0] + g[4] + g[8];
+    const Lane mu = s.mu_v(), two_mu = mu + mu, bulk = s.lambda_v() * trace;
+    const Lane xx = two_mu * g[0] + bulk, yy = two_mu * g[4] + bulk, zz = two_mu * g[8] + bulk;
+    const Lane xy = mu * (g[1] + g[3]), xz = mu * (g[2] + g[6]), yz = mu * (g[5] + g[7]);
+    Lane force[4][4];
+    for (int i = 0; i < 3; ++i) {
+      const Lane qx = s.q(3 * i), qy = s.q(3 * i + 1), qz = s.q(3 * i + 2);
+      force[i + 1][0] = xx * qx + xy * qy + xz * qz;
+      force[i + 1][1] = xy * qx + yy * qy + yz * qz;
+      force[i + 1][2] = xz * qx + yz * qy + zz * qz;
+    }
+    for (int c = 0; c < 3; ++c) force[0][c] = -(force[1][c] + force[2][c] + force[3][c]);
     for (int i = 0; i < 4; ++i) {
-      if (m.corners[e][i] >= m.free_nodes) continue;
-      for (int j = 0; j < 4; ++j)
-        if (const int s = slot[4 * i + j]; s >= 0)
-          add_block(&out.block[static_cast<std::size_t>(s) * block_stride], corner[i], corner[j], lambda_v,
-                    mu_v);
+      force[i][3] = with_dilation ? s.quarter_v() * trace : Lane{};
+      add_corner(reaction, offsets, i, force[i]);
     }
   }
 }
 
-ACUS_KERNEL void assemble_divergence(SystemMatrix& out, const TissueModel& m, const Corotation& corotation) {
-  for (int e = 0; e < m.tets; ++e) {
-    const double* q = &corotation.rotated_gradient[static_cast<std::size_t>(e) * 4 * node_stride];
+// Adds what the nodal pressures do: f_i += (V / 4) (sum over the corners of the pressure) q_i. A pressure
+// stands beside its node's x, where one load brings both.
+template <class Elements, class Real = typename Elements::Real>
+ACUS_INLINE void add_pressure(const TissueModel& m, Elements s, const Real* field, Real* reaction) {
+  using Lane = ElementLane<Real>;
+  for (std::size_t first = 0; first < m.offsets.size(); first += lane_count<Real>) {
+    s.go_to(first);
+    const mesh::Tet* offsets = m.offsets.data() + first;
+    Lane sum[4], force[4][4];
+    sum_corners(sum, field, offsets);
+    const Lane bulk = s.quarter_v() * sum[3];
+    for (int i = 0; i < 3; ++i)
+      for (int c = 0; c < 3; ++c) force[i + 1][c] = bulk * s.q(3 * i + c);
+    for (int c = 0; c < 3; ++c) force[0][c] = -(force[1][c] + force[2][c] + force[3][c]);
     for (int i = 0; i < 4; ++i) {
-      const double share = 0.25 * m.volume[e] / m.node_volume[m.corners[e][i]];
-      for (int j = 0; j < 4; ++j) {
-        const int s = m.slot[e][4 * i + j];
-        if (s < 0) continue;
-        double* b = &out.divergence[static_cast<std::size_t>(s) * node_stride];
-        store4(b, load4(b) + share * load4(q + node_stride * j));
-      }
+      force[i][3] = Lane{};
+      add_corner(reaction, offsets, i, force[i]);
     }
   }
 }
 
-// The diagonal blocks of sum_a w_a b_a b_a^T.
-ACUS_KERNEL void add_pressure_diagonal(SystemMatrix& out, const TissueModel& m) {
-  for (int a = 0; a < m.nodes; ++a)
-    for (int s = m.pattern.row_start[a]; s < m.pattern.row_start[a + 1]; ++s) {
-      const Lane4 b = load4(&out.divergence[static_cast<std::size_t>(s) * node_stride]);
-      double* d = &out.inverse_diagonal[static_cast<std::size_t>(m.pattern.column[s]) * block_stride];
-      for (int c = 0; c < 3; ++c) store4(d + 4 * c, load4(d + 4 * c) + out.pressure_weight[a] * b[c] * b);
-    }
+// reaction = K' field; `pressure_weight(n)` is kappa_n / V_n with the factor.
+template <class Elements, class Weight, class Real = typename Elements::Real>
+ACUS_INLINE void react(const TissueModel& m, const Elements& elements, const Weight& pressure_weight,
+                       Real* field, Real* reaction) {
+  if (m.kind == ElementKind::linear) return add_local<false>(m, elements, field, reaction);
+  add_local<true>(m, elements, field, reaction);
+  for (int n = 0; n < m.nodes; ++n) {
+    Real& dilation = reaction[node_stride * n + 3];
+    field[node_stride * n + 3] = pressure_weight(n) * dilation;
+    dilation = Real{};  // padding again
+  }
+  add_pressure(m, elements, field, reaction);
+}
+
+ACUS_KERNEL void react_exactly(const SystemMatrix& a, const TissueModel& m, const Corotation& corotation) {
+  const double factor = a.stiffness_factor;
+  react(
+      m, ExactElements(m, corotation, factor),
+      [&](int n) { return factor * m.node_bulk_modulus[n] / m.node_volume[n]; }, a.field.data(),
+      a.reaction.data());
+}
+
+ACUS_KERNEL void react_packed(const SystemMatrix& a, const TissueModel& m) {
+  react(
+      m, PackedElements(a), [&](int n) { return a.pressure_weight[n]; }, a.field_single.data(),
+      a.reaction_single.data());
+}
+
+ACUS_KERNEL void pack_elements(SystemMatrix& out, const TissueModel& m, const Corotation& corotation) {
+  ExactElements from(m, corotation, out.stiffness_factor);
+  for (std::size_t first = 0; first < m.offsets.size(); first += lanes) {
+    from.go_to(first);
+    float* to = &out.element[first / padding * padding * element_numbers + first % padding];
+    const auto pack = [&](int k, numeric::Lane8 value) {
+      for (int l = 0; l < lanes; ++l) to[k * padding + l] = static_cast<float>(value[l]);
+    };
+    for (int k = 0; k < 9; ++k) pack(k, from.q(k));
+    pack(9, from.mu_v());
+    pack(10, from.lambda_v());
+    pack(11, from.quarter_v());
+  }
+}
+
+// y = mass x + reaction
+template <class Real, class Mass>
+void add_inertia(numeric::NodeVectorOf<Real>& y, const Mass& mass, const numeric::NodeVectorOf<Real>& x,
+                 const numeric::NodeVectorOf<Real>& reaction) {
+  Real* py = y.data();
+  const Real* px = x.data();
+  const Real* pr = reaction.data();
+  const int nodes = static_cast<int>(x.size()) / node_stride;
+  for (int i = 0; i < nodes; ++i)
+    store4(py + node_stride * i, mass(i) * load4(px + node_stride * i) + load4(pr + node_stride * i));
 }
 
 }  // namespace
 
 SystemMatrix build_system_matrix(const TissueModel& model) {
   SystemMatrix a;
-  a.block.assign(static_cast<std::size_t>(model.pattern.row_start[model.free_nodes]) * block_stride, 0.0);
-  a.inverse_diagonal.assign(static_cast<std::size_t>(model.free_nodes) * block_stride, 0.0);
-  if (model.kind == ElementKind::nodal_pressure) {
-    a.divergence.assign(static_cast<std::size_t>(model.pattern.entries()) * node_stride, 0.0);
-    a.pressure_weight.assign(model.nodes, 0.0);
-  }
+  a.element.assign(model.offsets.size() * element_numbers, 0.0F);
+  a.mass.assign(model.free_nodes, 0.0F);
+  a.inverse_diagonal.assign(model.free_nodes, 0.0F);
+  a.field.assign(static_cast<std::size_t>(model.nodes) * node_stride, 0.0);
+  a.reaction = a.field;
+  a.field_single.assign(a.field.size(), 0.0F);
+  a.reaction_single = a.field_single;
+  if (model.kind == ElementKind::nodal_pressure) a.pressure_weight.assign(model.nodes, 0.0F);
   return a;
 }
 
-bool assemble_into(SystemMatrix& out, const TissueModel& model, const Corotation& corotation,
+void assemble_into(SystemMatrix& out, const TissueModel& model, const Corotation& corotation,
                    double mass_factor, double stiffness_factor) {
-  std::fill(out.block.begin(), out.block.end(), 0.0);
-  assemble_blocks(out, model, corotation, stiffness_factor);
+  out.mass_factor = mass_factor;
+  out.stiffness_factor = stiffness_factor;
+  pack_elements(out, model, corotation);
   for (int i = 0; i < model.free_nodes; ++i) {
-    double* d = &out.block[static_cast<std::size_t>(model.pattern.diagonal[i]) * block_stride];
-    for (int c = 0; c < 3; ++c) d[4 * c + c] += mass_factor * model.node_mass[i];
-    std::copy(d, d + block_stride, &out.inverse_diagonal[static_cast<std::size_t>(i) * block_stride]);
+    const double mass = mass_factor * model.node_mass[i];
+    out.mass[i] = static_cast<float>(mass);
+    out.inverse_diagonal[i] = static_cast<float>(1.0 / (mass + stiffness_factor * model.node_stiffness[i]));
   }
-  if (model.kind == ElementKind::nodal_pressure) {
-    std::fill(out.divergence.begin(), out.divergence.end(), 0.0);
-    assemble_divergence(out, model, corotation);
-    for (int a = 0; a < model.nodes; ++a)
-      out.pressure_weight[a] = stiffness_factor * model.node_bulk_modulus[a] * model.node_volume[a];
-    add_pressure_diagonal(out, model);
-  }
-  return numeric::invert_blocks(out.inverse_diagonal);
+  for (std::size_t n = 0; n < out.pressure_weight.size(); ++n)
+    out.pressure_weight[n] =
+        static_cast<float>(stiffness_factor * model.node_bulk_modulus[n] / model.node_volume[n]);
 }
 
-void multiply_into(numeric::NodeVector& y, const TissueModel& model, const SystemMatrix& a,
-                   const numeric::NodeVector& x) {
-  numeric::multiply_into(y, model.pattern, a.block, x);
-  if (!a.divergence.empty())
-    numeric::add_gram_product_into(y, model.pattern, a.divergence, a.pressure_weight, x);
+void multiply_into(numeric::NodeVector& y, const TissueModel& model, const Corotation& corotation,
+                   const SystemMatrix& a, const numeric::NodeVector& x) {
+  std::copy(x.begin(), x.end(), a.field.begin());  // held nodes stay zero
+  std::fill(a.reaction.begin(), a.reaction.end(), 0.0);
+  react_exactly(a, model, corotation);
+  add_inertia(
+      y, [&](int i) { return a.mass_factor * model.node_mass[i]; }, x, a.reaction);
+}
+
+void multiply_into(numeric::NodeVectorOf<float>& y, const TissueModel& model, const SystemMatrix& a,
+                   const numeric::NodeVectorOf<float>& x) {
+  std::copy(x.begin(), x.end(), a.field_single.begin());
+  std::fill(a.reaction_single.begin(), a.reaction_single.end(), 0.0F);
+  react_packed(a, model);
+  add_inertia(
+      y, [&](int i) { return a.mass[i]; }, x, a.reaction_single);
 }
 
 }  // namespace acus::tissue

@@ -1,10 +1,12 @@
-// Element stiffness in the rotated frame, assembled with the mass (paper Eq. 4-7).
+// Element stiffness in the rotated frame together with the mass (paper Eq. 4-7), as an operator.
 //
-// Eq. 4's K_e = V B^T E B of an isotropic material has the 3x3 block
-//   K_ij = V (lambda g_i g_j^T + mu g_j g_i^T + mu (g_i . g_j) I),
-// so Eq. 5's K' = R K R^T has the same block on the rotated gradients q_i = R g_i. Nodal pressure adds
-// sum over nodes of kappa_a V_a b_a b_a^T with b_a,j = sum over shared elements of V / (4 V_a) q_j,
-// which is applied without being formed: it would couple every node to its neighbours' neighbours.
+// Eq. 4's K_e = V B^T E B of an isotropic material, turned as in Eq. 5, has on the rotated gradients q_i = R
+// g_i the 3x3 blocks K'_ij = V (lambda q_i q_j^T + mu q_j q_i^T + mu (q_i . q_j) I). With the gradient G =
+// sum_j x_j q_j^T of a nodal field, Eq. 6's sum over the elements is therefore
+//   (K' x)_i = sum over elements of V (lambda tr(G) I + mu (G + G^T)) q_i,
+// which is applied element by element: twelve numbers of an element serve where sixteen blocks would be
+// stored and fetched. Nodal pressure adds sum over nodes of kappa_a V_a b_a b_a^T with
+// b_a,j = sum over shared elements of V / (4 V_a) q_j; so b_a . x is the node's mean of tr(G).
 #pragma once
 
 #include <vector>
@@ -14,22 +16,37 @@
 
 namespace acus::tissue {
 
-// A = mass_factor M + stiffness_factor K', over the free nodes.
+// A = mass_factor M + stiffness_factor K', over the free nodes. In double it is applied straight from the
+// rotated gradients; the inner iterations of a solve use a copy in single precision, packed for them.
+inline constexpr int element_numbers = 12;  // q_1, q_2, q_3; V mu and V lambda with the factor; V / 4
 struct SystemMatrix {
-  std::vector<double> block;             // [entries of the free rows][block_stride]
-  std::vector<double> divergence;        // [pattern entries][node_stride] 1/m: b_a,j; empty for linear
-  std::vector<double> pressure_weight;   // [nodes] stiffness_factor kappa_a V_a; empty for linear
-  std::vector<double> inverse_diagonal;  // [free nodes][block_stride] inverse of the 3x3 diagonal blocks
+  double mass_factor = 1.0;
+  double stiffness_factor = 0.0;
+
+  std::vector<float> element;          // [groups of 16][element_numbers][16]
+  std::vector<float> mass;             // [free nodes] kg, with the factor
+  std::vector<float> pressure_weight;  // [nodes] kappa_a / V_a with the factor; empty for linear
+  // [free nodes] 3 / trace of A's diagonal block at rest: Jacobi's preconditioner. A rotation leaves a trace
+  // as it is, so it stays good when the tissue turns.
+  std::vector<float> inverse_diagonal;
+
+  // Working memory of a product, over all nodes: x with the nodal pressure beside it, K' x with the sum of
+  // V tr(G) / 4.
+  mutable numeric::NodeVector field, reaction;
+  mutable numeric::NodeVectorOf<float> field_single, reaction_single;
 };
 
 SystemMatrix build_system_matrix(const TissueModel& model);
 
-// K' at the configuration of `corotation`. Returns false when a diagonal block is not positive definite.
-bool assemble_into(SystemMatrix& out, const TissueModel& model, const Corotation& corotation,
+// K' at the configuration of `corotation`.
+void assemble_into(SystemMatrix& out, const TissueModel& model, const Corotation& corotation,
                    double mass_factor, double stiffness_factor);
 
-// y = A x
-void multiply_into(numeric::NodeVector& y, const TissueModel& model, const SystemMatrix& a,
-                   const numeric::NodeVector& x);
+// y = A x with the factors of `a` and K' at the configuration of `corotation`.
+void multiply_into(numeric::NodeVector& y, const TissueModel& model, const Corotation& corotation,
+                   const SystemMatrix& a, const numeric::NodeVector& x);
+// The same in single precision, as assembled.
+void multiply_into(numeric::NodeVectorOf<float>& y, const TissueModel& model, const SystemMatrix& a,
+                   const numeric::NodeVectorOf<float>& x);
 
 }  // namespace acus::tissue

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "acus/numeric/node_vector.h"
 #include "acus/tissue/shape.h"
 
 namespace acus::tissue {
@@ -13,17 +14,48 @@ Error element_error(int tet, const std::string& what) {
 }
 
 void place_element(TissueModel& m, int tet, const Shape& shape, const Material& material, double volume) {
-  const int batch = tet / lanes;
-  const int lane = tet % lanes;
   for (int i = 0; i < 3; ++i)
-    for (int c = 0; c < 3; ++c)
-      m.gradient[(static_cast<std::size_t>(batch) * 9 + 3 * i + c) * lanes + lane] = shape.gradient[i + 1][c];
-  const std::size_t at = static_cast<std::size_t>(batch) * lanes + lane;
-  m.volume[at] = volume;
-  m.shear[at] = shear_modulus(material);
+    for (int c = 0; c < 3; ++c) m.gradient[lane_place(tet, 3 * i + c, 9)] = shape.gradient[i + 1][c];
+  m.volume[tet] = volume;
+  m.shear[tet] = shear_modulus(material);
   // mu |dev e|^2 = mu |e|^2 - (mu / 3) (tr e)^2: with the bulk part at the nodes only this remains here.
-  m.local_lambda[at] =
+  m.local_lambda[tet] =
       m.kind == ElementKind::linear ? lame_lambda(material) : -2.0 / 3.0 * shear_modulus(material);
+}
+
+// Corner i's gradient at rest, 1/m.
+Vec3 gradient_at(const TissueModel& m, int tet, int corner) {
+  Vec3 g = Vec3::Zero();
+  for (int i = 0; i < 3; ++i) {
+    if (corner != 0 && corner != i + 1) continue;
+    const double sign = corner == 0 ? -1.0 : 1.0;
+    for (int c = 0; c < 3; ++c) g[c] += sign * m.gradient[lane_place(tet, 3 * i + c, 9)];
+  }
+  return g;
+}
+
+// Of V (lambda q q^T + mu q q^T + mu |q|^2 I) over the elements of a node, and of kappa_a V_a b_a b_a^T over
+// its neighbours a: K's diagonal blocks (system_matrix.h).
+void find_node_stiffness(TissueModel& m) {
+  m.node_stiffness.assign(m.nodes, 0.0);
+  std::vector<std::vector<int>> around(m.nodes);  // the elements that meet at a node
+  for (int e = 0; e < m.tets; ++e)
+    for (int i = 0; i < 4; ++i) {
+      const double trace = m.volume[e] * (m.local_lambda[e] + 4.0 * m.shear[e]);
+      m.node_stiffness[m.corners[e][i]] += trace / 3.0 * gradient_at(m, e, i).squaredNorm();
+      around[m.corners[e][i]].push_back(e);
+    }
+  if (m.kind == ElementKind::linear) return;
+  std::vector<Vec3> mean(m.nodes, Vec3::Zero());  // V_a b_a,j
+  for (int a = 0; a < m.nodes; ++a) {
+    for (int e : around[a])
+      for (int j = 0; j < 4; ++j) mean[m.corners[e][j]] += 0.25 * m.volume[e] * gradient_at(m, e, j);
+    for (int e : around[a])
+      for (int j : m.corners[e]) {
+        m.node_stiffness[j] += m.node_bulk_modulus[a] / m.node_volume[a] / 3.0 * mean[j].squaredNorm();
+        mean[j].setZero();  // each neighbour counts once
+      }
+  }
 }
 
 }  // namespace
@@ -35,9 +67,8 @@ Result<TissueModel> build_tissue_model(const mesh::TetMesh& mesh, std::span<cons
   m.nodes = static_cast<int>(mesh.nodes.size());
   m.free_nodes = free_nodes;
   m.tets = static_cast<int>(mesh.tets.size());
-  m.batches = (m.tets + lanes - 1) / lanes;
   m.corners = mesh.tets;
-  const std::size_t padded = static_cast<std::size_t>(m.batches) * lanes;
+  const std::size_t padded = (mesh.tets.size() + padding - 1) / padding * padding;
   m.gradient.assign(9 * padded, 0.0);
   m.volume.assign(padded, 0.0);
   m.shear.assign(padded, 0.0);
@@ -64,22 +95,25 @@ Result<TissueModel> build_tissue_model(const mesh::TetMesh& mesh, std::span<cons
       bulk[node] += bulk_modulus(material) * shape.volume / 4.0;
     }
   }
-  // Padding lanes repeat the last element with no volume, so that kernels need no special case.
+  // The padding repeats the last element with no volume, so that kernels need no special case.
   const mesh::Tet& last = mesh.tets.back();
   const Shape shape =
       shape_of(mesh.nodes[last[0]], mesh.nodes[last[1]], mesh.nodes[last[2]], mesh.nodes[last[3]]);
-  for (int e = m.tets; e < static_cast<int>(padded); ++e) place_element(m, e, shape, materials.back(), 0.0);
+  for (int e = m.tets; e < static_cast<int>(padded); ++e) {
+    m.corners.push_back(last);
+    place_element(m, e, shape, materials.back(), 0.0);
+  }
+
+  m.offsets = m.corners;
+  for (mesh::Tet& t : m.offsets)
+    for (int& corner : t) corner *= numeric::node_stride;
 
   if (kind == ElementKind::nodal_pressure) {
     m.node_bulk_modulus.resize(mesh.nodes.size());
     for (std::size_t a = 0; a < mesh.nodes.size(); ++a) m.node_bulk_modulus[a] = bulk[a] / m.node_volume[a];
   }
 
-  m.pattern = numeric::build_pattern(mesh.tets, m.nodes, free_nodes);
-  m.slot.resize(mesh.tets.size());
-  for (int e = 0; e < m.tets; ++e)
-    for (int i = 0; i < 4; ++i)
-      for (int j = 0; j < 4; ++j) m.slot[e][4 * i + j] = m.pattern.find(mesh.tets[e][i], mesh.tets[e][j]);
+  find_node_stiffness(m);
   return m;
 }
 

@@ -7,33 +7,37 @@
 
 #include "acus/base/result.h"
 #include "acus/mesh/tet_mesh.h"
-#include "acus/numeric/block_matrix.h"
 #include "acus/tissue/element_kind.h"
 #include "acus/tissue/material.h"
 
 namespace acus::tissue {
 
-inline constexpr int lanes = 8;  // elements handled side by side by a kernel
+// Elements stand in groups of `lanes` side by side, as many as doubles fill 64 bytes; their count is padded
+// to a multiple of `padding`, as many as floats do.
+inline constexpr int lanes = 8;
+inline constexpr int padding = 16;
+
+// Where number `k` of `numbers` of an element stands in an array [groups][numbers][lanes].
+inline constexpr std::size_t lane_place(int tet, int k, int numbers) {
+  return (static_cast<std::size_t>(tet / lanes) * numbers + k) * lanes + tet % lanes;
+}
 
 struct TissueModel {
   ElementKind kind = ElementKind::nodal_pressure;
   int nodes = 0;
   int free_nodes = 0;  // nodes 0 .. free_nodes - 1 move; the rest are held
   int tets = 0;
-  int batches = 0;  // ceil(tets / lanes)
 
-  std::vector<mesh::Tet> corners;         // [tets]
-  std::vector<double> gradient;           // [batches][9][lanes] 1/m: g_1, g_2, g_3 of Shape; g_0 = -(sum)
-  std::vector<double> volume;             // [batches][lanes] m^3; 0 in padding lanes
-  std::vector<double> shear;              // [batches][lanes] Pa, mu
-  std::vector<double> local_lambda;       // [batches][lanes] Pa, acts on the element's own dilation
+  std::vector<mesh::Tet> corners;         // [groups][lanes]
+  std::vector<mesh::Tet> offsets;         // [groups][lanes] where the corners stand in a node vector
+  std::vector<double> gradient;           // [groups][9][lanes] 1/m: g_1, g_2, g_3 of Shape; g_0 = -(sum)
+  std::vector<double> volume;             // [groups][lanes] m^3; 0 in the padding
+  std::vector<double> shear;              // [groups][lanes] Pa, mu
+  std::vector<double> local_lambda;       // [groups][lanes] Pa, acts on the element's own dilation
   std::vector<double> node_mass;          // [nodes] kg, lumped
   std::vector<double> node_volume;        // [nodes] m^3, a quarter of each tetrahedron
   std::vector<double> node_bulk_modulus;  // [nodes] Pa, volume-weighted mean; empty for linear
-
-  numeric::BlockPattern pattern;  // rows: all nodes; columns: free nodes
-  std::vector<std::array<int, 16>>
-      slot;  // [tets] entry of corner pair (i, j) at 4 i + j; -1 where not stored
+  std::vector<double> node_stiffness;     // [nodes] N/m, a third of the trace of K's diagonal block at rest
 };
 
 // `materials` has one entry per tetrahedron; `mesh` numbers its free nodes first. Errors: element and reason.

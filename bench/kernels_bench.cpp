@@ -1,0 +1,113 @@
+// The kernels of a step, each on its own, on the default block of 10 000 tetrahedra: time and nanoseconds per
+// item.
+#include <benchmark/benchmark.h>
+
+#include "acus/needle/column.h"
+#include "acus/sim/step.h"
+
+namespace {
+
+using namespace acus;
+
+const Model& model() {
+  static const Model built = build_model(Scene{}, nullptr).value();
+  return built;
+}
+
+// A step's working memory with the matrix at rest, and a field.
+struct Assembled {
+  Scratch scratch = build_scratch(model());
+  numeric::NodeVector x = initial_state(model()).velocity;
+  numeric::NodeVectorOf<float> single;
+  Assembled() {
+    tissue::corotate_into(scratch.corotation, model().tissue, model().mesh.nodes);
+    assemble();
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = i % 4 < 3 ? std::sin(static_cast<double>(i)) : 0.0;
+    single.assign(x.begin(), x.end());
+  }
+  void assemble() {
+    tissue::assemble_into(scratch.matrix, model().tissue, scratch.corotation, model().factors.mass,
+                          model().factors.stiffness);
+  }
+};
+
+void count(benchmark::State& state, int items) {
+  state.counters["ns_per_item"] = benchmark::Counter(
+      1e-9 * items, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+void rotation_and_force(benchmark::State& state) {
+  Assembled a;
+  for (auto _ : state) tissue::corotate_into(a.scratch.corotation, model().tissue, model().mesh.nodes);
+  count(state, model().tissue.tets);
+}
+BENCHMARK(rotation_and_force);
+
+void assembly(benchmark::State& state) {
+  Assembled a;
+  for (auto _ : state) a.assemble();
+  count(state, model().tissue.tets);
+}
+BENCHMARK(assembly);
+
+void matrix_product(benchmark::State& state) {
+  Assembled a;
+  numeric::NodeVector y = a.x;
+  for (auto _ : state) tissue::multiply_into(y, model().tissue, a.scratch.corotation, a.scratch.matrix, a.x);
+  count(state, model().tissue.tets);
+}
+BENCHMARK(matrix_product);
+
+void matrix_product_single(benchmark::State& state) {
+  Assembled a;
+  numeric::NodeVectorOf<float> y = a.single;
+  for (auto _ : state) tissue::multiply_into(y, model().tissue, a.scratch.matrix, a.single);
+  count(state, model().tissue.tets);
+}
+BENCHMARK(matrix_product_single);
+
+void coarse_correction(benchmark::State& state) {
+  Assembled a;
+  numeric::NodeVectorOf<float> z = a.single;
+  for (auto _ : state) numeric::add_coarse_correction_into(z, model().coarse, a.single, a.scratch.coarse);
+  count(state, model().tissue.free_nodes);
+}
+BENCHMARK(coarse_correction);
+
+void conjugate_gradient_iteration(benchmark::State& state) {
+  Assembled a;
+  using Single = numeric::NodeVectorOf<float>;
+  constexpr int iterations = 20;
+  for (auto _ : state) {
+    Single v(a.single.size(), 0.0F);
+    numeric::solve_into(
+        v, a.single, 0.0, iterations, a.scratch.solver.single,
+        [&](Single& y, const Single& p) { tissue::multiply_into(y, model().tissue, a.scratch.matrix, p); },
+        [&](Single& z, const Single& r) {
+          numeric::multiply_diagonal_into(z, a.scratch.matrix.inverse_diagonal, r);
+          numeric::add_coarse_correction_into(z, model().coarse, r, a.scratch.coarse);
+        });
+  }
+  count(state, iterations * model().tissue.free_nodes);
+}
+BENCHMARK(conjugate_gradient_iteration);
+
+void disc_embedding(benchmark::State& state) {
+  coupling::Attachment at;
+  constexpr double depth = 20.3e-3;  // m
+  for (auto _ : state) attach_tip_into(at, model(), depth);
+  count(state, 1);
+}
+BENCHMARK(disc_embedding);
+
+void column_response(benchmark::State& state) {
+  constexpr double free_length = 0.15, shortening = 1e-3;  // m
+  for (auto _ : state)
+    benchmark::DoNotOptimize(needle::column_response(model().column, free_length, shortening));
+  count(state, 1);
+}
+BENCHMARK(column_response);
+
+}  // namespace
+
+BENCHMARK_MAIN();

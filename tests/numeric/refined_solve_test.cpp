@@ -1,0 +1,117 @@
+// Solves in single precision that must end as good as dense ones in double.
+#include "acus/numeric/refined_solve.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace acus::numeric {
+namespace {
+
+constexpr int nodes = 40;
+constexpr int size = node_stride * nodes;
+
+// A dense symmetric positive definite operator of given condition, in both precisions.
+class System {
+ public:
+  explicit System(double condition) {
+    std::mt19937 random(5);
+    std::normal_distribution<double> normal;
+    Eigen::MatrixXd G(size, size);
+    for (double& g : G.reshaped()) g = normal(random);
+    const Eigen::MatrixXd Q = Eigen::HouseholderQR<Eigen::MatrixXd>(G).householderQ();
+    const Eigen::VectorXd eigenvalues =
+        Eigen::VectorXd::LinSpaced(size, 0.0, std::log(condition)).array().exp();
+    A = Q * eigenvalues.asDiagonal() * Q.transpose();
+    single_ = A.cast<float>();
+    for (double& value : b) value = normal(random);
+  }
+  void operator()(NodeVector& y, const NodeVector& x) const {
+    ++exact_products;
+    Eigen::Map<Eigen::VectorXd>(y.data(), size) = A * dense(x);
+  }
+  void operator()(NodeVectorOf<float>& y, const NodeVectorOf<float>& x) const {
+    Eigen::Map<Eigen::VectorXf>(y.data(), size) = single_ * Eigen::Map<const Eigen::VectorXf>(x.data(), size);
+  }
+  CgOutcome solve(NodeVector& x, double target, int most_iterations = 5000) const {
+    exact_products = 0;
+    RefinedScratch scratch(nodes);
+    return solve_refined_into(x, b, target, most_iterations, scratch, *this,
+                              [](NodeVectorOf<float>& z, const NodeVectorOf<float>& r) { z = r; });
+  }
+  static Eigen::Map<const Eigen::VectorXd> dense(const NodeVector& v) { return {v.data(), size}; }
+  double residual(const NodeVector& x) const { return (dense(b) - A * dense(x)).norm(); }
+
+  Eigen::MatrixXd A;
+  NodeVector b = NodeVector(size, 0.0);
+  mutable int exact_products = 0;
+
+ private:
+  Eigen::MatrixXf single_;
+};
+
+TEST(RefinedSolve, reaches_residuals_that_single_precision_cannot) {
+  for (double condition : {10.0, 1e3}) {
+    const System system(condition);
+    const double norm = system.dense(system.b).norm();
+    NodeVector x(size, 0.0);
+    const CgOutcome outcome = system.solve(x, 1e-12 * norm);
+    EXPECT_FALSE(outcome.broke_down);
+    EXPECT_LE(system.residual(x), 1.1e-12 * norm);
+    const Eigen::VectorXd exact = system.A.llt().solve(system.dense(system.b));
+    EXPECT_LT((system.dense(x) - exact).norm(), 1e-11 * condition * exact.norm());
+  }
+}
+
+// Whatever it reports without having looked must be what one finds who looks.
+TEST(RefinedSolve, residual_that_it_did_not_check_is_the_real_one) {
+  const System system(1e3);
+  const double norm = system.dense(system.b).norm();
+  for (double fall : {0.3, 1e-1, 1e-2, 1.2e-3}) {
+    NodeVector x(size, 0.0);
+    const CgOutcome outcome = system.solve(x, fall * norm);
+    EXPECT_EQ(system.exact_products, 1) << fall;
+    EXPECT_LE(system.residual(x), fall * norm);
+    EXPECT_NEAR(outcome.residual_norm, system.residual(x), 0.01 * fall * norm);
+  }
+  NodeVector x(size, 0.0);
+  system.solve(x, 1e-4 * norm);
+  EXPECT_EQ(system.exact_products, 2);  // below 1e-3 it looks
+}
+
+TEST(RefinedSolve, leaves_a_start_value_that_is_good_enough_alone) {
+  const System system(10.0);
+  NodeVector x(size, 0.0);
+  system.solve(x, 1e-10);
+  const NodeVector before = x;
+  const CgOutcome outcome = system.solve(x, 1e-9);
+  EXPECT_EQ(outcome.iterations, 0);
+  EXPECT_EQ(x, before);
+}
+
+TEST(RefinedSolve, ends_where_no_number_of_rounds_can_reach_the_target) {
+  const System system(1e3);
+  NodeVector x(size, 0.0);
+  const CgOutcome outcome = system.solve(x, 0.0, 3000);
+  EXPECT_GE(outcome.iterations, 3000);
+  EXPECT_LT(system.residual(x), 1e-12 * system.dense(system.b).norm());
+}
+
+TEST(RefinedSolve, stands_loads_far_outside_the_range_of_floats) {
+  const System system(10.0);
+  System tiny = system;
+  for (double& value : tiny.b) value *= 1e-60;
+  NodeVector x(size, 0.0);
+  EXPECT_FALSE(tiny.solve(x, 1e-70).broke_down);
+  EXPECT_LE(tiny.residual(x), 1.1e-70);
+}
+
+TEST(RefinedSolve, says_so_when_a_number_is_not_finite) {
+  System system(10.0);
+  system.b[5] = std::numeric_limits<double>::quiet_NaN();
+  NodeVector x(size, 0.0);
+  EXPECT_TRUE(system.solve(x, 1e-6).broke_down);
+}
+
+}  // namespace
+}  // namespace acus::numeric

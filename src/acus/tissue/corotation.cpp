@@ -105,7 +105,7 @@ ACUS_INLINE void respond(Batch& b, Lane8 volume, Lane8 mu, Lane8 lambda) {
   turn(rotated, b.r, s);
   turn(given, rotated, b.g);
   give_to_corners(b.force, given);
-  for (int i = 0; i < 4; ++i) b.force[i][3] = 0.25 * volume * trace;
+  for (auto& force : b.force) force[3] = 0.25 * volume * trace;
 }
 
 ACUS_KERNEL void corotate_elements(Corotation& out, const TissueModel& m, const Vec3* x) {

@@ -1,4 +1,5 @@
 // Which verb does the user want? Everything else is in the file of that verb.
+#include <cstdio>
 #include <exception>
 #include <iostream>
 
@@ -54,7 +55,11 @@ int main_with_verbs(int argc, char** argv) {
                        std::string("\nacus --help and acus VERB --help say more"),
                    bad_input);
   }
-  return work();
+  const int code = work();
+  std::cout.flush();
+  if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    return refused("standard output cannot be written to its end", run_failed);
+  return code;
 }
 
 }  // namespace

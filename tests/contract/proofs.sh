@@ -58,6 +58,9 @@ notices words 'add src/acus/sim/s.cpp "// TO""DO: think"' 'unfinished work'
 notices words 'rm LICENSE' 'LICENSE: is absent'
 notices links 'add README.md "[gone](docs/gone.md)"' 'README.md:2: links to docs/gone.md'
 notices links 'add README.md "\`src/acus/sim/gone.cpp\`"' 'README.md:2: names src/acus/sim/gone.cpp'
+notices links 'add README.md "\`sim/gone.h\`"' 'README.md: names src/acus/sim/gone.h'
+notices links 'add README.md "\`sim/s.cpp\` \`vanished\`"' 'names vanished in src/acus/sim/s.cpp'
+notices words 'add README.md "see ../sha""red/x"' 'README.md:2: a folder beside the checkout'
 if command -v clang-format >/dev/null; then
   notices format 'add src/acus/sim/s.cpp "int   x ;"' 'src/acus/sim/s.cpp: is not formatted'
 fi

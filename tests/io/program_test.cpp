@@ -104,10 +104,10 @@ TEST(Program, scene_in_the_summary_runs_to_the_same_state) {
   std::filesystem::remove_all(folder);
 }
 
-// /dev/full is a disk that is full.
+// /dev/full is a disk that is full; the summary is written beside its place first.
 TEST(Program, a_full_disk_is_told) {
   const std::string folder = fresh_folder("full");
-  for (const char* name : {"trace.csv", "events.csv", "summary.json"}) {
+  for (const char* name : {"trace.csv", "events.csv", "summary.json.part"}) {
     const std::string out = folder + "/" + name + ".out";
     std::filesystem::create_directories(out);
     std::filesystem::create_symlink("/dev/full", out + "/" + name);
@@ -118,6 +118,37 @@ TEST(Program, a_full_disk_is_told) {
         << run.err;
     EXPECT_EQ(run.out, "") << name;
   }
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Program, a_full_standard_output_is_told_by_every_verb) {
+  const std::string folder = fresh_folder("full_output");
+  for (const std::string& words : {"run " + column[1] + " --json", std::string("check --keys"),
+                                   "check " + column[1], std::string("bench --sizes 300 --steps 1 --json")}) {
+    const std::string command =
+        "cd " + folder + " && " ACUS_BUILD_DIR "/acus " + words + " > /dev/full 2> stderr.txt";
+    EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 1) << words;
+    EXPECT_NE(file_text(folder + "/stderr.txt").find("standard output cannot be written"), std::string::npos)
+        << words;
+  }
+  std::filesystem::remove_all(folder);
+}
+
+// Else a run that is killed would leave its trace beside the summary and the frames of another one.
+TEST(Program, a_run_into_the_folder_of_another_begins_by_removing_what_that_left) {
+  const std::string folder = fresh_folder("twice"), out = folder + "/out";
+  const auto run_into = [&](const std::vector<std::string>& more) {
+    return run_program(with(with(column, {"--out", out, "--quiet"}), more), folder).exit_code;
+  };
+  ASSERT_EQ(run_into({"--vtu-every", "100"}), 0);
+  ASSERT_TRUE(std::filesystem::exists(out + "/frames.pvd"));
+  ASSERT_FALSE(std::filesystem::is_empty(out + "/frames"));
+  std::ofstream(out + "/notes.txt") << "of the user\n";
+  ASSERT_EQ(run_into({}), 0);
+  EXPECT_FALSE(std::filesystem::exists(out + "/frames.pvd"));
+  EXPECT_TRUE(std::filesystem::is_empty(out + "/frames"));
+  EXPECT_TRUE(std::filesystem::exists(out + "/notes.txt"));
+  EXPECT_TRUE(std::filesystem::exists(out + "/summary.json"));
   std::filesystem::remove_all(folder);
 }
 

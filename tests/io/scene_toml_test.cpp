@@ -25,6 +25,23 @@ std::string refusal(const std::string& text, const std::vector<std::string>& set
   return scene ? "accepted" : scene.error().sentence;
 }
 
+// toml++ recurses over the parts of a dotted key; half a million of them would exhaust the stack.
+TEST(SceneToml, keys_of_very_many_parts_are_refused_with_their_line) {
+  std::string deep = "a";
+  for (int i = 0; i < 400'000; ++i) deep += ".a";
+  for (const std::string& text : {"[" + deep + "]\n", deep + " = 1\n", "x = {" + deep + " = 1}\n",
+                                  "x = [{" + deep + " = 1}]\n", "[[" + deep + "]]\n"})
+    EXPECT_EQ(refusal("\n" + text).find("scene.toml:2: a key has more than 16 parts"), 0U);
+}
+
+TEST(SceneToml, dots_within_text_numbers_and_comments_make_no_deep_key) {
+  const std::string dots(100, '.');
+  EXPECT_NE(refusal("[tissue]\nmesh = \"" + dots + "\"  # " + dots + "\n"), "");
+  for (const std::string& text : {"mesh = \"" + dots + "\\\"" + dots + "\"", "mesh = '" + dots + "'",
+                                  "mesh = \"\"\"" + dots + "\n" + dots + "\"\"\"", "# " + dots})
+    EXPECT_EQ(refusal("[tissue]\n" + text + "\n").find("parts"), std::string::npos) << text;
+}
+
 TEST(SceneToml, numbers_arrive_in_si_as_the_doubles_of_their_literals) {
   const Scene scene = read(R"(
     [needle]

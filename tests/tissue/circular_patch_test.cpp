@@ -10,7 +10,7 @@
 namespace acus::tissue {
 namespace {
 
-const Vec3 block_size(0.1, 0.1, 0.06);  // m, Table I
+const Vec3 block_size(0.1, 0.1, 0.06);  // m, the default block
 constexpr double radius = 5e-3;         // m
 
 // An even load over the circle: many points, each standing for the same area, in the sunflower's order.

@@ -1,6 +1,6 @@
 #include "acus/base/hash.h"
 
-#include <bit>
+#include "acus/base/bits.h"
 
 namespace acus {
 namespace {
@@ -14,7 +14,7 @@ std::uint64_t absorb(std::uint64_t word, int bytes, std::uint64_t hash) {
 }  // namespace
 
 std::uint64_t hash_of(std::span<const double> values, std::uint64_t so_far) {
-  for (double v : values) so_far = absorb(std::bit_cast<std::uint64_t>(v == 0.0 ? 0.0 : v), 8, so_far);
+  for (double v : values) so_far = absorb(bits_as<std::uint64_t>(v == 0.0 ? 0.0 : v), 8, so_far);
   return so_far;
 }
 

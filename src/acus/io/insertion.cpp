@@ -26,26 +26,17 @@ Insertion run_insertion(Simulation& simulation, const Observer& observer) {
   insertion.scene = scene;
   insertion.nodes = static_cast<int>(simulation.tissue().nodes.size());
   insertion.tetrahedra = static_cast<int>(simulation.tissue().tets.size());
-  insertion.trace.reserve(static_cast<std::size_t>(steps / scene.run.trace_stride) + 2);
-  insertion.trace.push_back(simulation.frame());
   insertion.interrupted = observer && !observer(simulation);
   for (int step = 1; step <= steps && !insertion.interrupted; ++step) {
     const Frame& frame = simulation.step(hand_travel(scene.hand, step * scene.run.time_step));
     add(insertion.summary, frame, simulation.events());
     insertion.interrupted = observer && !observer(simulation);
-    const bool last = step == steps || insertion.interrupted || frame.health != Health::good;
-    if (last || step % scene.run.trace_stride == 0) insertion.trace.push_back(frame);
     if (frame.health != Health::good) break;
   }
+  insertion.last = simulation.frame();
   insertion.events.assign(simulation.events().begin(), simulation.events().end());
   insertion.state_hash = simulation.state_hash();
   return insertion;
-}
-
-Result<Insertion> run_insertion(const Scene& scene, const Observer& observer) {
-  Result<Simulation> simulation = build_simulation(scene);
-  if (!simulation) return simulation.error();
-  return run_insertion(*simulation, observer);
 }
 
 }  // namespace acus::io

@@ -24,18 +24,15 @@ using Observer = std::function<bool(const Simulation&)>;
 struct Insertion {
   Scene scene;
   Summary summary;
-  std::vector<Frame> trace;  // every run.trace_stride-th frame, the first and the last
+  Frame last;  // at the end
   std::vector<Event> events;
   std::uint64_t state_hash = 0;
   int nodes = 0, tetrahedra = 0;
   bool interrupted = false;  // by the observer
 };
 
-// Follows the hand to its end. A step that goes wrong ends it early: see summary.health.
-// An Error is a scene that cannot be built.
-Result<Insertion> run_insertion(const Scene& scene, const Observer& observer = {});
-
-// The same with a simulation that was just built.
+// Follows the hand to its end with a simulation that was just built. A step that goes wrong ends it early:
+// see summary.health.
 Insertion run_insertion(Simulation& simulation, const Observer& observer = {});
 
 }  // namespace acus::io

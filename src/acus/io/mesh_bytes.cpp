@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
-#include <cstring>
 #include <limits>
 #include <utility>
+
+#include "acus/base/bits.h"
 
 namespace acus::io {
 namespace {
@@ -32,15 +33,6 @@ std::size_t width(NumberType type) {
 bool is_signed(NumberType type) {
   return type == NumberType::int8 || type == NumberType::int16 || type == NumberType::int32 ||
          type == NumberType::int64;
-}
-
-// std::bit_cast, which libc++ 13 does not have.
-template <class Real, class Bits>
-Real reinterpreted(Bits bits) {
-  static_assert(sizeof(Real) == sizeof(Bits));
-  Real value;
-  std::memcpy(&value, &bits, sizeof(value));
-  return value;
 }
 
 std::int64_t sign_extended(std::uint64_t bits, std::size_t bytes) {
@@ -219,8 +211,8 @@ std::int64_t MeshBytes::integer(NumberType type, const std::string& what) {
 double MeshBytes::real(NumberType type, const std::string& what) {
   if (coding_ != Coding::text) {
     const std::uint64_t bits = raw(type, what);
-    if (type == NumberType::float64) return reinterpreted<double>(bits);
-    if (type == NumberType::float32) return reinterpreted<float>(static_cast<std::uint32_t>(bits));
+    if (type == NumberType::float64) return bits_as<double>(bits);
+    if (type == NumberType::float32) return bits_as<float>(static_cast<std::uint32_t>(bits));
     return is_signed(type) ? static_cast<double>(sign_extended(bits, width(type)))
                            : static_cast<double>(bits);
   }

@@ -80,7 +80,8 @@ Result<mesh::TetMesh> finished(const MeshDraft& draft, const std::string& file, 
       }
       corners[i] = *index;
     }
-    if (std::abs(tet.region) > std::numeric_limits<int>::max()) {
+    using Limits = std::numeric_limits<int>;
+    if (tet.region < Limits::min() || tet.region > Limits::max()) {
       return Error{name_of(t) + " has region " + std::to_string(tet.region) + ", which is too large"};
     }
     mesh.tets.push_back(corners);

@@ -10,7 +10,9 @@
 namespace acus::io {
 namespace {
 
-constexpr std::size_t largest_file = 1U << 30U;  // bytes; some ten million tetrahedra, far beyond real time
+// Bytes; some two million tetrahedra, twice what a step is meant for. While it is read, a file takes up to 25
+// times its size of memory.
+constexpr std::size_t largest_file = 256U << 20U;
 constexpr std::string_view utf8_mark = "\xEF\xBB\xBF";
 
 bool is_utf16(std::string_view bytes) {

@@ -42,17 +42,26 @@ std::optional<Error> OutputFile::close() {
 }
 
 std::optional<Error> write_file(const std::string& path, std::string_view text) {
-  Result<OutputFile> file = OutputFile::create(path);
+  const std::string draft = path + ".part";
+  Result<OutputFile> file = OutputFile::create(draft);
   if (!file) return file.error();
   file->write(text);
-  return file->close();
+  std::error_code failed;
+  if (const auto incomplete = file->close()) {
+    std::filesystem::remove(draft, failed);
+    return incomplete;
+  }
+  std::filesystem::rename(draft, path, failed);
+  if (failed) return Error{path + ": cannot be written: " + reason(failed.value())};
+  return std::nullopt;
 }
 
 std::optional<Error> make_folder(const std::string& path) {
   std::error_code failed;
   std::filesystem::create_directories(path, failed);
-  if (std::filesystem::is_directory(path)) return std::nullopt;
-  if (std::filesystem::exists(path)) return Error{path + ": is a file; name a folder to write into"};
+  std::error_code unknown;  // what cannot be looked at is no folder to write into
+  if (std::filesystem::is_directory(path, unknown)) return std::nullopt;
+  if (std::filesystem::exists(path, unknown)) return Error{path + ": is a file; name a folder to write into"};
   return Error{path + ": this folder cannot be made: " + reason(failed.value())};
 }
 

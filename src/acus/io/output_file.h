@@ -36,7 +36,8 @@ class OutputFile {
   std::optional<Error> failure_;
 };
 
-// A whole file at once.
+// A whole file at once: written beside its place and then put there, so that a full disk or a power cut
+// leaves the file that was there before.
 std::optional<Error> write_file(const std::string& path, std::string_view text);
 
 // The folder and those above it, made where they are missing.

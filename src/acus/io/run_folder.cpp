@@ -1,5 +1,6 @@
 #include "acus/io/run_folder.h"
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "acus/io/summary_json.h"
@@ -16,12 +17,26 @@ std::string six_digits(int number) {
   return std::string(digits.size() < 6 ? 6 - digits.size() : 0, '0') + digits;
 }
 
+// What a run leaves only at its end, or only when asked to draw: else it would stand beside another run's
+// trace.
+void remove_earlier_run(const std::string& path) {
+  std::error_code unchanged;  // what cannot be removed is replaced later, or says so then
+  for (const char* name : {"/summary.json", "/frames.pvd"}) std::filesystem::remove(path + name, unchanged);
+  std::filesystem::directory_iterator drawings(path + "/" + drawings_folder, unchanged);
+  for (; !unchanged && drawings != std::filesystem::directory_iterator(); drawings.increment(unchanged)) {
+    const std::string kind = drawings->path().extension().string();
+    std::error_code kept;
+    if (kind == ".vtu" || kind == ".vtp") std::filesystem::remove(drawings->path(), kept);
+  }
+}
+
 }  // namespace
 
 Result<RunFolder> RunFolder::create(const std::string& path, int vtu_every) {
   const std::string deepest = vtu_every > 0 ? path + "/" + drawings_folder : path;
   if (auto failed = make_folder(path)) return *failed;
   if (auto failed = make_folder(deepest)) return *failed;
+  remove_earlier_run(path);
   Result<OutputFile> trace = OutputFile::create(path + "/trace.csv");
   if (!trace) return trace.error();
   Result<OutputFile> events = OutputFile::create(path + "/events.csv");
@@ -62,7 +77,7 @@ std::optional<Error> RunFolder::write_drawing(const Simulation& simulation) {
 }
 
 std::optional<Error> RunFolder::finish(const Insertion& insertion, std::optional<double> wall_time) {
-  const Frame& last = insertion.trace.back();
+  const Frame& last = insertion.last;
   if (last.time > last_row_time_) write_row(last);
   const std::optional<Error> ends[] = {
       failure_, trace_.close(), events_.close(),

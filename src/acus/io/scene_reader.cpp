@@ -8,7 +8,7 @@
 #include "acus/io/scene_toml.h"
 #include "acus/io/spelling.h"
 #include "acus/io/text_file.h"
-#include "acus/io/toml.h"
+#include "acus/io/toml_document.h"
 #include "acus/sim/scene_keys.h"
 
 namespace acus::io {
@@ -203,11 +203,11 @@ std::optional<Error> lay_over(Reading& reading, const std::string& setting) {
   if (word && (text.empty() || (text.front() != '"' && text.front() != '\'')))
     return reading.put(*key, toml::value<std::string>(text), "", where);
   const std::string document = "value = " + text;
-  const toml::parse_result parsed = toml::parse(std::string_view(document));
-  if (!parsed || parsed.table().size() != 1 || parsed.table().get("value") == nullptr)
+  const Result<toml::table> parsed = parse_toml(document, where);
+  if (!parsed || parsed->size() != 1 || parsed->get("value") == nullptr)
     return Error{where + ": " + quoted(text) +
                  " cannot be read as a value; write a number, true, \"text\" or [a, b, c]"};
-  return reading.put(*key, *parsed.table().get("value"), "", where);
+  return reading.put(*key, *parsed->get("value"), "", where);
 }
 
 Result<Scene> finished(Reading reading, const std::vector<std::string>& settings, const std::string& name) {
@@ -220,14 +220,10 @@ Result<Scene> finished(Reading reading, const std::vector<std::string>& settings
 
 Result<Scene> parse_scene(std::string_view text, const std::string& name,
                           const std::vector<std::string>& settings) {
-  const toml::parse_result parsed = toml::parse(text);
-  if (!parsed) {
-    const toml::source_position place = parsed.error().source().begin;
-    return Error{name + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) +
-                 ": is not TOML: " + std::string(parsed.error().description())};
-  }
+  const Result<toml::table> parsed = parse_toml(text, name);
+  if (!parsed) return parsed.error();
   Reading reading{Scene{}};
-  if (auto wrong = reading.take(parsed.table(), "", name)) return *wrong;
+  if (auto wrong = reading.take(*parsed, "", name)) return *wrong;
   return finished(std::move(reading), settings, name);
 }
 

@@ -22,7 +22,7 @@ Result<Scene> parse_scene(std::string_view text, const std::string& name,
 // `scene` with settings laid over it, checked as a whole.
 Result<Scene> with_settings(Scene scene, const std::vector<std::string>& settings);
 
-// Every key with its value: read back, it is the same scene to the bit.
+// Every key with its value: read back in the same folder, it is the same scene to the bit.
 std::string scene_toml(const Scene& scene);
 nlohmann::ordered_json scene_json(const Scene& scene);
 

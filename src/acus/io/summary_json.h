@@ -9,7 +9,8 @@
 
 namespace acus::io {
 
-// `wall_time` [s] of the steps gives the real-time factor; without it the text depends on the scene alone.
+// `wall_time` [s] of the steps gives the real-time factor; without it the text depends on
+// scene and versions alone.
 nlohmann::ordered_json summary_json(const Insertion& insertion,
                                     std::optional<double> wall_time = std::nullopt);
 

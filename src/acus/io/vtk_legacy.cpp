@@ -26,13 +26,13 @@ class Legacy {
 
  private:
   void read_head();
-  bool read_part(const std::string& keyword);
+  void read_part(const std::string& keyword);
   void read_points();
   void read_cells();
   void read_rows(std::int64_t cells, std::int64_t entries);
   void read_offsets(std::int64_t offsets, std::int64_t entries);
   void read_types();
-  bool read_attribute(const std::string& keyword);
+  void read_attribute(const std::string& keyword);
   void read_array(const std::string& name, NumberType type, std::int64_t components, std::int64_t tuples);
   void read_field();
   // Data begin on the next line, in the file's coding; `end_data` returns to words.
@@ -174,7 +174,7 @@ void Legacy::read_field() {
   }
 }
 
-bool Legacy::read_attribute(const std::string& keyword) {
+void Legacy::read_attribute(const std::string& keyword) {
   if (keyword == "SCALARS") {
     const std::string name(bytes_.word());
     const NumberType type = read_type(bytes_);
@@ -184,19 +184,31 @@ bool Legacy::read_attribute(const std::string& keyword) {
     bytes_.expect_word("LOOKUP_TABLE");
     bytes_.word();
     read_array(name, type, components, components == 0 ? 0 : attribute_tuples_);
-    return true;
+    return;
   }
   if (keyword == "VECTORS" || keyword == "NORMALS" || keyword == "TENSORS") {
     const std::string name(bytes_.word());
     const NumberType type = read_type(bytes_);
     read_array(name, type, keyword == "TENSORS" ? 9 : 3, attribute_tuples_);
-    return true;
+    return;
   }
-  return false;
+  if (keyword == "TEXTURE_COORDINATES") {
+    const std::string name(bytes_.word());
+    const auto components = bytes_.count(NumberType::int64, "the number of components");
+    read_array(name, read_type(bytes_), components, components == 0 ? 0 : attribute_tuples_);
+    return;
+  }
+  if (keyword == "COLOR_SCALARS" || keyword == "LOOKUP_TABLE") {  // floats in text, bytes in binary
+    const std::string name(bytes_.word());
+    const auto size = bytes_.count(NumberType::int64, "the size of " + quoted(name));
+    const bool colors = keyword == "COLOR_SCALARS";
+    read_array(name, NumberType::uint8, colors ? size : 4, colors ? attribute_tuples_ : size);
+    return;
+  }
+  bytes_.fail("found " + quoted(keyword) + ", which is no attribute of a VTK file; save the mesh without it");
 }
 
-// False where nothing more of the file matters.
-bool Legacy::read_part(const std::string& keyword) {
+void Legacy::read_part(const std::string& keyword) {
   if (keyword == "POINTS") {
     read_points();
   } else if (keyword == "CELLS") {
@@ -215,15 +227,13 @@ bool Legacy::read_part(const std::string& keyword) {
   } else if (!in_attributes_) {
     bytes_.fail("found " + quoted(keyword) + " where POINTS, CELLS, CELL_TYPES or CELL_DATA should be");
   } else {
-    return read_attribute(keyword);
+    read_attribute(keyword);
   }
-  return true;
 }
 
 MeshDraft Legacy::read() {
   read_head();
-  for (std::string keyword(bytes_.word()); !keyword.empty() && read_part(keyword); keyword = bytes_.word())
-    continue;
+  for (std::string keyword(bytes_.word()); !keyword.empty(); keyword = bytes_.word()) read_part(keyword);
   return draft_of(grid_, bytes_);
 }
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <sstream>
 
+#include "acus/base/decimal.h"
 #include "acus/mesh/surface.h"
 
 namespace acus::mesh {
@@ -46,9 +46,9 @@ std::vector<Crossing> crossings(const TetMesh& mesh, const Vec3& origin, const V
 }
 
 std::string text(const Vec3& v) {
-  std::ostringstream out;
-  out << '(' << v.x() << ", " << v.y() << ", " << v.z() << ')';
-  return out.str();
+  std::string said = "(";
+  said.append(decimal_text(v.x())).append(", ").append(decimal_text(v.y())).append(", ");
+  return said.append(decimal_text(v.z())).append(")");
 }
 
 }  // namespace

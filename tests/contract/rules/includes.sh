@@ -9,7 +9,7 @@ declare -A level=([base]=0 [numeric]=1 [mesh]=1 [tissue]=2 [needle]=2 [coupling]
                   [acus.h]=6)
 # The engine knows no threads, no clock, no sockets and no streams, and keeps to what libc++ 13 has.
 outside='thread|mutex|shared_mutex|condition_variable|future|atomic|semaphore|barrier|latch|stop_token|chrono|ctime'
-outside+='|time\.h|sys/time\.h|sys/socket\.h|netinet/.*|unistd\.h|iostream|fstream|filesystem|random'
+outside+='|time\.h|sys/time\.h|sys/socket\.h|netinet/.*|unistd\.h|iostream|istream|ostream|sstream|fstream|iomanip|locale|filesystem|random'
 too_new='format|ranges|source_location'
 
 # Lines of FILE that include something: "line:name", where name keeps its quote or angle bracket.

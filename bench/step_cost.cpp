@@ -142,7 +142,7 @@ Result<StepCost> measure(int tetrahedra, int steps) {
   Samples samples;
   ReferenceStep reference(tetrahedra);
   measure_reference(reference, reference_warm, samples);
-  constexpr double margin = 0.85;  // towards the better residual
+  constexpr double margin = 0.85;     // towards the better residual
   constexpr double rounding = 1e-12;  // on the smallest meshes the reference reaches what doubles can hold
   const double tolerance = std::max(margin * samples.reference_residual.back(), rounding);
   samples = {};

@@ -37,6 +37,19 @@ void print_needle(const needle::NeedleSpec& spec, double rupture_force, const Pr
       name_of(spec.support).c_str(), rupture_force, p.longest_straight / units::mm);
 }
 
+// A mesh read in a wrong unit runs all the same, and shows it only in strange forces.
+void warn_of_size(const Scene& scene, const mesh::TetMesh& mesh) {
+  Vec3 low = mesh.nodes.front(), high = low;
+  for (const Vec3& x : mesh.nodes) low = low.cwiseMin(x), high = high.cwiseMax(x);
+  const double extent = (high - low).minCoeff();
+  if (2.0 * scene.contact.contact_radius > extent || furthest_travel(scene.hand) > extent)
+    std::printf(
+        "         Note: the contact disc or the travel of the hand is larger than the tissue's smallest "
+        "extent, %g mm; "
+        "is %s right?\n",
+        extent / units::mm, scene.tissue.mesh.empty() ? "tissue.size_mm" : "tissue.mesh_unit_mm");
+}
+
 void print_tissue(const Scene& scene, const Simulation& simulation, const Prediction& p) {
   if (scene.tissue.rigid) {
     std::printf("Tissue   none: a fixed stop\n");
@@ -59,6 +72,7 @@ void print_tissue(const Scene& scene, const Simulation& simulation, const Predic
       "         the entry sinks about %.1f mm under the rupture force (half-space, contact disc of %g mm "
       "radius)\n",
       p.sink / units::mm, scene.contact.contact_radius / units::mm);
+  warn_of_size(scene, mesh);
 }
 
 void print_expectation(const Scene& scene, const Prediction& p) {
@@ -76,6 +90,12 @@ void print_expectation(const Scene& scene, const Prediction& p) {
         "rupture "
         "force %g N\n",
         p.critical_load, p.highest_load, rupture_force);
+  else if (p.highest_load < p.critical_load)
+    std::printf(
+        "never_punctured: within the hand's travel the needle presses with at most about %.4f N, less than "
+        "the rupture "
+        "force %g N and than its critical load %.4f N\n",
+        p.highest_load, rupture_force, p.critical_load);
   else
     std::printf(
         "never_punctured: buckling at %.4f N, and within the hand's travel the bent needle pushes at most "

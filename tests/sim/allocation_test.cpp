@@ -56,7 +56,7 @@ TEST_P(StepAllocation, is_none_through_contact_puncture_and_withdrawal) {
   scene.tissue.tetrahedra = 600;
   scene.tissue.element = GetParam().first;
   scene.contact.coupling = GetParam().second;
-  scene.contact.rupture_force = 0.2;  // N
+  scene.contact.rupture_force = 0.5;  // N
   auto built = Simulation::build(scene);
   ASSERT_TRUE(built.ok()) << built.error().sentence;
   Simulation simulation = std::move(*built);

@@ -41,6 +41,21 @@ TEST(Prediction, between_the_critical_load_and_its_top_the_needle_buckles_and_th
   EXPECT_EQ(predict(scene).outcome, Outcome::never_punctured);
 }
 
+// 1 N sinks a disc of 5 mm radius by 3.33 mm on a half-space of 25 kPa.
+TEST(Prediction, hands_that_do_not_go_far_enough_never_puncture) {
+  Scene scene = table_one(0.150);
+  scene.contact.contact_radius = 5e-3;
+  scene.hand.travel = 2e-3;
+  EXPECT_EQ(predict(scene).outcome, Outcome::never_punctured);
+  EXPECT_NEAR(predict(scene).highest_load, 2.0 / 3.327, 0.01);
+  scene.hand.travel = 5e-3;
+  EXPECT_EQ(predict(scene).outcome, Outcome::straight_puncture);
+  scene.hand.kind = HandKind::path;
+  scene.hand.path = {{0.0, -10e-3}, {1.0, -1e-3}};
+  EXPECT_EQ(predict(scene).outcome, Outcome::never_punctured);
+  EXPECT_EQ(predict(scene).highest_load, 0.0);
+}
+
 // Free lengths at which a needle of 0.3 mm radius buckles at 1.0 N, solved from Euler's formula by hand.
 TEST(Prediction, longest_straight_needle_is_eulers) {
   using needle::Support;

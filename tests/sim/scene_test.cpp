@@ -29,7 +29,7 @@ struct Wrong {
 
 TEST(Scene, every_contradiction_is_named_by_its_key) {
   const std::vector<Wrong> wrong = {
-      {"tissue.poisson_ratio", "from 0 to below 0.5", [](Scene& s) { s.tissue.poisson_ratio = 0.5; }},
+      {"tissue.poisson_ratio", "from 0 to 0.4999", [](Scene& s) { s.tissue.poisson_ratio = 0.5; }},
       {"tissue.poisson_ratio", "from 0", [](Scene& s) { s.tissue.poisson_ratio = -0.1; }},
       {"tissue.youngs_modulus_kPa", "from 0.01", [](Scene& s) { s.tissue.youngs_modulus = 0.0; }},
       {"needle.radius_mm", "1/20", [](Scene& s) { s.needle.length = 0.005; }},

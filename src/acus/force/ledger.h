@@ -8,17 +8,20 @@ struct Ledger {
   double energy_tissue = 0.0;   // J, elastic, in the tissue
   double energy_needle = 0.0;   // J, bending and axial compression of the needle
   double energy_contact = 0.0;  // J, springs between needle and tissue (tip contact, pre-sliding)
-  double energy_kinetic = 0.0;  // J, tissue and needle
+  double energy_kinetic = 0.0;  // J, tissue
   double work_cutting = 0.0;    // J, never decreases
   double work_friction = 0.0;   // J, never decreases
   double work_damping = 0.0;    // J, Rayleigh
   double work_numerical = 0.0;  // J, dissipated by the integrator, from its own formulas
+  // J, given off where the needle jumps from one equilibrium to another (snaps straight): a real needle goes
+  // on to vibrate with it. In smooth motion it vanishes with the time step.
+  double work_snap = 0.0;
 };
 
 // Where the work went, all lines but the first. J
 inline double accounted(const Ledger& l) {
   return l.energy_tissue + l.energy_needle + l.energy_contact + l.energy_kinetic + l.work_cutting +
-         l.work_friction + l.work_damping + l.work_numerical;
+         l.work_friction + l.work_damping + l.work_numerical + l.work_snap;
 }
 
 // What the ledger cannot explain. J

@@ -62,6 +62,7 @@ constexpr std::array trace_columns = {
     Column<Frame>{"energy_residual_J", ACUS_NUMBER(energy_residual)},
     Column<Frame>{"solver_iterations", [](const Frame& f) { return std::to_string(f.solver_iterations); }},
     Column<Frame>{"energy_contact_J", ACUS_NUMBER(ledger.energy_contact)},
+    Column<Frame>{"work_snap_J", ACUS_NUMBER(ledger.work_snap)},
 };
 
 constexpr std::array event_columns = {

@@ -11,8 +11,9 @@ namespace {
 using coupling::Grip;
 using numeric::NodeVector;
 
-constexpr int max_passes = 12;        // branch corrections; two or three are usual
-constexpr int max_iterations = 4000;  // of one conjugate-gradient solve
+constexpr int max_passes = 12;             // branch corrections; two or three are usual
+constexpr int max_iterations = 4000;       // of one conjugate-gradient solve
+constexpr double finest_influence = 1e-5;  // relative residual of y: floats go no further
 
 // y += h sum over sticking points of rate_j h W_j^T a (W_j a . x): their springs act within the step.
 template <class Real>
@@ -81,19 +82,28 @@ Reaction gather_reaction(const Model& m, const State& s, const Scratch& w, doubl
   return r;
 }
 
-// The needle's rate at which column, inertia, reaction and configurational force balance.
+// The needle's rate at which column, reaction and configurational force balance.
 double balanced_rate(const Model& m, const State& s, const Reaction& r, double hub_travel, double free_length,
                      double configurational_force, double guess) {
   const double h = m.scene.run.time_step;
   const auto imbalance = [&](double rate) {
     const double shortening = hub_travel - s.tip_position - h * rate;
-    return m.needle_mass * (rate - s.tip_rate) / h + r.constant + r.rate * rate + configurational_force -
+    return r.constant + r.rate * rate + configurational_force -
            needle::column_response(m.column, free_length, shortening).load;
   };
   double width = 1e-5;  // m/s, grows until it brackets the root: the imbalance rises with the rate
+  // m/s. Where everything slips there may be no balance, because a folding column's load is bounded: then the
+  // needle goes as far as this, the grips change, and the line search takes it back.
+  constexpr double fastest = 1e3;
   double low = guess, high = guess;
-  while (imbalance(low) > 0.0) low -= (width *= 4.0);
-  while (imbalance(high) < 0.0) high += (width *= 4.0);
+  while (imbalance(low) > 0.0) {
+    if (width > fastest) return low;
+    low -= (width *= 4.0);
+  }
+  while (imbalance(high) < 0.0) {
+    if (width > fastest) return high;
+    high += (width *= 4.0);
+  }
   constexpr double resolution = 1e-12;  // m/s
   return numeric::bracketed_root(imbalance, low, high, resolution);
 }
@@ -146,7 +156,7 @@ double line_search(const Model& m, const State& s, Scratch& w, double hub_travel
     }
     const double load =
         needle::column_response(m.column, free_length, hub_travel - s.tip_position - h * r).load;
-    return sum + rate_change * (m.needle_mass * (r - s.tip_rate) + h * (configurational_force - load));
+    return sum + rate_change * h * (configurational_force - load);
   };
   if (slope(1.0) <= 0.0 || slope(0.0) >= 0.0) return 1.0;
   constexpr double resolution = 1e-9;
@@ -187,15 +197,22 @@ CoupledOutcome solve_coupled(const Model& m, State& s, Scratch& w, double hub_tr
     const double target = m.scene.run.solver_tolerance * norm;
     const numeric::CgOutcome solve = numeric::solve_refined_into(
         s.velocity, w.right_hand_side, target, max_iterations, w.solver, Product{m, w}, preconditioner(m, w));
-    const numeric::CgOutcome answer = solve_influence(m, s, w, influence_tolerance);
+    numeric::CgOutcome answer = solve_influence(m, s, w, influence_tolerance);
     outcome.iterations += solve.iterations + answer.iterations;
+    Reaction reaction = gather_reaction(m, s, w, rate);
+    // The tissue never follows faster than the needle goes: a y that says so is too rough.
+    while (reaction.rate < 0.0 && !answer.broke_down && influence_tolerance > finest_influence) {
+      influence_tolerance = std::max(1e-2 * influence_tolerance, finest_influence);
+      answer = solve_influence(m, s, w, influence_tolerance);
+      outcome.iterations += answer.iterations;
+      reaction = gather_reaction(m, s, w, rate);
+    }
     outcome.broke_down = solve.broke_down || answer.broke_down || solve.iterations >= max_iterations ||
                          answer.iterations >= max_iterations;
     if (outcome.broke_down) return outcome;
 
     const double guess = rate;
-    rate = balanced_rate(m, s, gather_reaction(m, s, w, guess), hub_travel, free_length,
-                         configurational_force, guess);
+    rate = balanced_rate(m, s, reaction, hub_travel, free_length, configurational_force, guess);
     numeric::add_scaled_into(s.velocity, rate - guess, s.influence);
     if (correct_grips(m, s, w, rate)) {
       const double t = line_search(m, s, w, hub_travel, free_length, configurational_force, guess, rate);
@@ -212,7 +229,7 @@ CoupledOutcome solve_coupled(const Model& m, State& s, Scratch& w, double hub_tr
       s.tip_rate = rate;
       return outcome;
     }
-    influence_tolerance = std::max(1e-2 * influence_tolerance, 1e-5);  // floats go no further
+    influence_tolerance = std::max(1e-2 * influence_tolerance, finest_influence);
   }
   outcome.broke_down = true;
   return outcome;

@@ -4,7 +4,7 @@
 // column's force at the shortening X1 - z0 - h w and f_j the sliders between needle and tissue (tip contact,
 // friction),
 //   A v = M v0 + h f_el + h sum_j f_j(w - W_j v) W_j^T a,
-//   m (w - w0) / h = P(X1 - z0 - h w) - sum_j f_j(w - W_j v) - Q,
+//   0 = P(X1 - z0 - h w) - sum_j f_j(w - W_j v) - Q,
 // where W_j are the weights of attachment j, a the axis and Q the configurational force at the entry. On its
 // branch every f_j is linear, so v = v_0 + w y with y the tissue's answer to a unit rate, and w is the root
 // of one monotone scalar equation: nothing lags, nothing chatters at the buckling load however stiff the

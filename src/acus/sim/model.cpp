@@ -119,7 +119,6 @@ Result<Model> build_model(const Scene& scene, const mesh::TetMesh* mesh) {
   Model m;
   m.scene = *valid;
   m.column = needle::build_column(scene.needle);
-  m.needle_mass = needle::mass(scene.needle);
   m.cutting_force =
       force::cutting_force(scene.contact.fracture_toughness, scene.contact.crack, scene.needle.radius);
   if (m.rigid()) {

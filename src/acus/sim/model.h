@@ -17,7 +17,6 @@ namespace acus {
 struct Model {
   Scene scene;
   needle::Column column;
-  double needle_mass = 0.0;    // kg, moves with the tip along the axis
   double cutting_force = 0.0;  // N
   mesh::InsertionPath path;    // entry, direction, length of tissue along it
 

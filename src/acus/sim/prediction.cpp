@@ -38,8 +38,12 @@ Prediction predict(const Scene& scene) {
   p.critical_load = needle::critical_load(rigidity, spec.length, spec.support);
   p.sink =
       scene.tissue.rigid ? 0.0 : half_space_sink(rupture_force, scene.tissue, scene.contact.contact_radius);
-  p.highest_load = p.critical_load *
-                   highest_load_ratio(spec.support, (furthest_travel(scene.hand) - p.sink) / spec.length);
+  const double travel = std::max(furthest_travel(scene.hand), 0.0);
+  // Straight, needle and tissue are springs in series, and the tissue is much the softer one.
+  const bool comes_to_buckle = travel * rupture_force >= p.sink * p.critical_load && travel > 0.0;
+  p.highest_load = comes_to_buckle
+                       ? p.critical_load * highest_load_ratio(spec.support, (travel - p.sink) / spec.length)
+                       : (travel > 0.0 ? travel / p.sink * rupture_force : 0.0);
   p.longest_straight = spec.length * std::sqrt(p.critical_load / rupture_force);
   if (scene.tissue.rigid || p.highest_load < rupture_force)
     p.outcome = Outcome::never_punctured;

@@ -45,7 +45,7 @@ std::vector<SceneKey> tissue_keys() {
        "true puts a fixed stop in place of tissue: the bare column in a testing machine"},
       {"tissue.youngs_modulus_kPa", NumberField{ACUS_AT(tissue.youngs_modulus), kilo, {0.01, 1e6}},
        "stiffness of the tissue"},
-      {"tissue.poisson_ratio", NumberField{ACUS_AT(tissue.poisson_ratio), one, {0.0, 0.5, true}},
+      {"tissue.poisson_ratio", NumberField{ACUS_AT(tissue.poisson_ratio), one, {0.0, 0.4999}},
        "towards 0.5 the tissue keeps its volume"},
       {"tissue.density_kg_m3", NumberField{ACUS_AT(tissue.density), one, {1.0, 30000.0}},
        "mass density of the tissue"},
@@ -133,12 +133,11 @@ const SceneKey* find_scene_key(const std::string& name) {
 }
 
 std::string in_words(const Range& range) {
-  return "from " + decimal_text(range.least) + (range.below_most ? " to below " : " to ") +
-         decimal_text(range.most);
+  return "from " + decimal_text(range.least) + " to " + decimal_text(range.most);
 }
 
 std::string complaint(const Range& range, double value) {
-  const bool inside = value >= range.least && (range.below_most ? value < range.most : value <= range.most);
+  const bool inside = value >= range.least && value <= range.most;
   if (inside) return {};  // a NaN is never inside
   return "must be " + in_words(range) + ", but is " + decimal_text(value);
 }

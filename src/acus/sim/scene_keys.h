@@ -16,7 +16,6 @@ namespace acus {
 struct Range {
   double least = 0.0;
   double most = 0.0;
-  bool below_most = false;  // `most` itself is not allowed
 };
 
 struct NumberField {
@@ -66,7 +65,7 @@ const std::vector<SceneKey>& scene_keys();
 // The key of that name, or null.
 const SceneKey* find_scene_key(const std::string& name);
 
-// "from 1 to 2000", "from 0 to below 0.5"
+// "from 1 to 2000"
 std::string in_words(const Range& range);
 
 // Empty when `value`, in the unit of the key, is a finite number inside the range; else "must be ..., but is

@@ -14,7 +14,6 @@ struct Before {
   NeedlePlace place;
   needle::ColumnResponse column;
   double hub_travel = 0.0;     // m
-  double tip_rate = 0.0;       // m/s
   double tissue_energy = 0.0;  // J
   double elastic_work = 0.0;   // J, of the forces at the beginning over the step's displacement
   double matrix_product =
@@ -31,7 +30,6 @@ Before remember(const Model& m, const State& s, const Scratch& w) {
   before.place = place_needle(m, s);
   before.column = needle::column_response(m.column, before.place.free_length, before.place.shortening);
   before.hub_travel = s.hub_travel;
-  before.tip_rate = s.tip_rate;
   before.tissue_energy = w.corotation.energy;
   return before;
 }
@@ -130,10 +128,10 @@ void account_tissue(const Model& m, State& s, Scratch& w, const Before& before) 
                              (frozen_energy - w.corotation.energy);
   s.ledger.energy_tissue = w.corotation.energy;
   s.ledger.energy_contact = contact_energy(m, s);
-  s.ledger.energy_kinetic = 0.5 * vmv + 0.5 * m.needle_mass * s.tip_rate * s.tip_rate;
+  s.ledger.energy_kinetic = 0.5 * vmv;
   // The entry's force on a free part that shortens while it holds the shortening: energy of the bow.
   const double gone_in = h * (s.tip_rate - coupling::along(m.entry, s.velocity, m.path.direction));
-  s.ledger.work_numerical += before.configurational_force(m) * gone_in;
+  s.ledger.work_snap += before.configurational_force(m) * gone_in;
 }
 
 // Needle's lines: the hand's force times its travel, less what the tip took on, bends and compresses the free
@@ -141,10 +139,8 @@ void account_tissue(const Model& m, State& s, Scratch& w, const Before& before) 
 void account_needle(const Model& m, State& s, const Before& before, double hand_force, double needle_energy) {
   const double hub_step = s.hub_travel - before.hub_travel;
   const double tip_step = m.scene.run.time_step * s.tip_rate;
-  const double rate_change = s.tip_rate - before.tip_rate;
   s.ledger.work_hand += hand_force * hub_step;
-  s.ledger.work_numerical += hand_force * (hub_step - tip_step) - (needle_energy - before.column.energy) +
-                             0.5 * m.needle_mass * rate_change * rate_change;
+  s.ledger.work_snap += hand_force * (hub_step - tip_step) - (needle_energy - before.column.energy);
   s.ledger.energy_needle = needle_energy;
 }
 

@@ -135,7 +135,7 @@ int check(const CheckOptions& options) {
   const Result<Scene> scene = io::read_scene(options.scene, options.settings);
   if (!scene) return refused(scene.error().sentence, bad_input);
   Result<Simulation> simulation = io::build_simulation(*scene);
-  if (!simulation) return refused(simulation.error().sentence, bad_input);
+  if (!simulation) return refused(options.scene + ": " + simulation.error().sentence, bad_input);
   const Prediction prediction = predict(*scene);
   std::printf("Scene    %s makes sense\n", options.scene.c_str());
   print_needle(scene->needle, scene->contact.rupture_force, prediction);

@@ -23,6 +23,7 @@ struct RunOptions {
   std::string scene;
   std::vector<std::string> settings;
   std::string out;
+  bool out_given = false;
   int vtu_every = 0;
   bool json = false, quiet = false;
 };
@@ -54,7 +55,9 @@ void print_events(const Insertion& insertion) {
 
 void print_summary(const Insertion& insertion, double wall_time, const std::string& out) {
   const Summary& summary = insertion.summary;
-  std::printf("%s: %s\n", name_of(outcome(insertion.events)).c_str(), in_words(outcome(insertion.events)));
+  const bool whole = !insertion.interrupted && summary.health == Health::good;
+  std::printf("%s%s: %s\n", whole ? "" : "not run to its end; so far ",
+              name_of(outcome(insertion.events)).c_str(), in_words(outcome(insertion.events)));
   print_events(insertion);
   std::printf("\npeak hand force   %.4f N at %.2f mm of travel\n", summary.peak_hand_force,
               summary.peak_hand_force_travel / units::mm);
@@ -86,10 +89,12 @@ int judged(const Insertion& insertion, bool recorded) {
 int run(const RunOptions& options) {
   if (options.vtu_every > 0 && options.out.empty())
     return refused("--vtu-every needs a folder for its frames; add --out DIR", bad_input);
+  if (options.out_given && options.out.empty())
+    return refused("--out is empty; name a folder, or leave --out away to keep nothing", bad_input);
   const Result<Scene> scene = io::read_scene(options.scene, options.settings);
   if (!scene) return refused(scene.error().sentence, bad_input);
   Result<Simulation> simulation = io::build_simulation(*scene);
-  if (!simulation) return refused(simulation.error().sentence, bad_input);
+  if (!simulation) return refused(options.scene + ": " + simulation.error().sentence, bad_input);
   std::optional<io::RunFolder> folder;
   if (!options.out.empty()) {
     Result<io::RunFolder> made = io::RunFolder::create(options.out, options.vtu_every);
@@ -138,7 +143,10 @@ void add_run(CLI::App& program, Work& work) {
       ->check(CLI::Range(1, 1'000'000'000));
   verb->add_flag("--json", options->json, "print summary.json on standard output, and nothing else there");
   verb->add_flag("--quiet", options->quiet, "print nothing but errors (and what --json asks for)");
-  verb->callback([options, &work] { work = [options] { return run(*options); }; });
+  verb->callback([options, verb, &work] {
+    options->out_given = verb->count("--out") > 0;
+    work = [options] { return run(*options); };
+  });
 }
 
 }  // namespace acus::app

@@ -1,11 +1,14 @@
 #include "interruption.h"
 
+#include <atomic>
 #include <csignal>
 
 namespace acus::app {
 namespace {
 
-volatile std::sig_atomic_t asked_to_stop = 0;
+// Written by the handler of a signal and read by every thread: only an atomic without a lock may be both.
+std::atomic<int> asked_to_stop{0};
+static_assert(std::atomic<int>::is_always_lock_free);
 
 void remember(int signal_number) {
   asked_to_stop = 1;

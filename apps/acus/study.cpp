@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <system_error>
 #include <thread>
 
 #include "acus/io/output_file.h"
@@ -29,13 +30,15 @@ struct StudyOptions {
 
 // A name without a folder or ending, which is no file here, is one of the studies that come with acus.
 std::string study_file(const std::string& given) {
-  if (fs::exists(given) || given.find('/') != std::string::npos || given.ends_with(".toml")) return given;
+  std::error_code unknown;  // what is no possible name of a file is no file
+  if (fs::exists(given, unknown) || given.find('/') != std::string::npos || given.ends_with(".toml"))
+    return given;
   const fs::path shipped = fs::path(ACUS_STUDIES) / (given + ".toml");
-  return fs::exists(shipped) ? shipped.string() : given;
+  return fs::exists(shipped, unknown) ? shipped.string() : given;
 }
 
-std::optional<Error> do_all_runs(const study::Study& study, const StudyOptions& options,
-                                 const std::string& out) {
+std::optional<study::Failure> do_all_runs(const study::Study& study, const StudyOptions& options,
+                                          const std::string& out) {
   Progress progress("step", study::step_count(study), options.quiet);
   study::RunnerOptions runner;
   runner.folder = out;
@@ -100,7 +103,8 @@ int run(const StudyOptions& options) {
   const std::string out = options.out.empty() ? (fs::path("out") / study->name).string() : options.out;
   if (const auto wrong = io::make_folder(out)) return refused(wrong->sentence, bad_input);
   catch_interruptions();
-  if (const auto wrong = do_all_runs(*study, options, out)) return refused(wrong->sentence, bad_input);
+  if (const auto wrong = do_all_runs(*study, options, out))
+    return refused(wrong->sentence, wrong->wrong_input ? bad_input : run_failed);
   if (interrupted())
     return refused("interrupted; the same command with --resume goes on from here", run_failed);
   const Result<std::vector<study::GroupRecords>> groups = read_all(*study, out);

@@ -96,8 +96,13 @@ TEST(StudyProgram, a_killed_study_resumes_to_the_same_bytes) {
     }
     return false;
   };
-  while (!any_finished() && waitpid(child, nullptr, WNOHANG) == 0)
+  // One that ended by itself is waited for once only: its number may belong to another process by then.
+  bool ended = false;
+  while (!any_finished() && !ended) {
+    ended = waitpid(child, nullptr, WNOHANG) != 0;
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  ASSERT_FALSE(ended) << text_of(folder / "said");
   kill(child, SIGKILL);
   waitpid(child, nullptr, 0);
   ASSERT_FALSE(fs::exists(killed / "results.csv"));
@@ -150,6 +155,25 @@ TEST(StudyProgram, bad_input_is_exit_code_two) {
   EXPECT_EQ(
       acus_study({small_study(folder), "--out", (folder / "wrong.toml" / "sub").string()}, folder).exit_code,
       2);
+  // Longer than any name of a file may be.
+  const Outcome endless = acus_study({std::string(5000, 'a')}, folder);
+  EXPECT_EQ(endless.exit_code, 2);
+  EXPECT_EQ(std::count(endless.said.begin(), endless.said.end(), '\n'), 1);
+}
+
+TEST(StudyProgram, a_full_disk_in_the_middle_is_exit_code_one) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
+  const fs::path folder = fresh_folder(), out = folder / "out";
+  const std::string study = small_study(folder);
+  for (const char* file : {"small/pinned_pinned-length_mm_200/trace.csv",
+                           "small/pinned_pinned-length_mm_200/snapshots.json", "results.csv"}) {
+    fs::remove_all(out);
+    fs::create_directories((out / file).parent_path());
+    fs::create_symlink("/dev/full", out / file);
+    const Outcome outcome = acus_study({study, "--quiet", "--out", out.string()}, folder);
+    EXPECT_EQ(outcome.exit_code, 1) << file;
+    EXPECT_NE(outcome.said.find("the disk is full"), std::string::npos) << outcome.said;
+  }
 }
 
 }  // namespace

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
 #include <filesystem>
 #include <mutex>
+#include <new>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -35,15 +38,16 @@ class Board {
       : jobs_(std::move(jobs)), options_(options), steps_(steps) {}
 
   void work();
-  std::optional<Error> error() && { return std::move(error_); }
+  std::optional<Failure> failure() && { return std::move(failure_); }
 
  private:
-  std::optional<Error> run(const Job& job, std::string& outcome);
+  void do_job(const Job& job);
+  std::optional<Failure> run(const Job& job, std::string& outcome);
   io::Insertion insert(const Job& job, Simulation& simulation, io::RunFolder& folder, StageCamera& camera);
   bool stopped();
   void advance(long steps);
   void finish(const Job& job, const std::string& outcome);
-  void fail(const Job& job, const Error& error);
+  void fail(const Job& job, const Failure& failure);
 
   const std::vector<Job> jobs_;
   const RunnerOptions& options_;
@@ -52,7 +56,7 @@ class Board {
   std::mutex mutex_;
   const long steps_;
   long steps_done_ = 0;
-  std::optional<Error> error_;
+  std::optional<Failure> failure_;
 };
 
 void Board::advance(long steps) {
@@ -66,9 +70,9 @@ void Board::finish(const Job& job, const std::string& outcome) {
   if (options_.progress) options_.progress({steps_done_, steps_, job.name, outcome});
 }
 
-void Board::fail(const Job& job, const Error& error) {
+void Board::fail(const Job& job, const Failure& failure) {
   const std::lock_guard lock(mutex_);
-  if (!error_) error_ = Error{joined({"run ", job.name, ": ", error.sentence})};
+  if (!failure_) failure_ = Failure{joined({"run ", job.name, ": ", failure.sentence}), failure.wrong_input};
   stop_ = true;
 }
 
@@ -77,7 +81,7 @@ bool Board::stopped() {
   return stop_;
 }
 
-std::optional<Error> Board::run(const Job& job, std::string& outcome) {
+std::optional<Failure> Board::run(const Job& job, std::string& outcome) {
   const Scene& scene = job.run->scene;
   const std::string print = fingerprint(scene);
   if (options_.resume && is_finished(job.folder, print)) {
@@ -86,22 +90,24 @@ std::optional<Error> Board::run(const Job& job, std::string& outcome) {
     return std::nullopt;
   }
   Result<Simulation> simulation = io::build_simulation(scene);
-  if (!simulation) return simulation.error();
+  if (!simulation) return Failure{simulation.error().sentence, true};
   mark_unfinished(job.folder);
   Result<io::RunFolder> folder = io::RunFolder::create(job.folder);
-  if (!folder) return folder.error();
+  if (!folder) return Failure{folder.error().sentence};
   StageCamera camera(*simulation);
   const io::Insertion insertion = insert(job, *simulation, *folder, camera);
-  if (auto wrong = folder->finish(insertion)) return wrong;
+  if (auto wrong = folder->finish(insertion)) return Failure{wrong->sentence};
   if (insertion.interrupted) return std::nullopt;
   outcome = name_of(acus::outcome(insertion.events));
-  return mark_finished(job.folder, camera.snapshots(*simulation), print);
+  if (auto wrong = mark_finished(job.folder, camera.snapshots(*simulation), print))
+    return Failure{wrong->sentence};
+  return std::nullopt;
 }
 
 io::Insertion Board::insert(const Job& job, Simulation& simulation, io::RunFolder& folder,
                             StageCamera& camera) {
   constexpr int steps_between_signs = 100;
-  int steps = 0, said = 0;
+  int steps = -1, said = 0;  // the first state that is seen comes before every step
   const auto watch = [&](const Simulation& now) {
     if (!folder.record(now)) return false;
     camera.look(now);
@@ -113,18 +119,50 @@ io::Insertion Board::insert(const Job& job, Simulation& simulation, io::RunFolde
   return insertion;
 }
 
+void Board::do_job(const Job& job) {
+  std::string outcome;
+  if (const auto failure = run(job, outcome)) {
+    fail(job, *failure);
+  } else if (!stop_) {
+    finish(job, outcome);
+  }
+}
+
+// No exception leaves it: in a thread that would end the whole program.
 void Board::work() {
   while (!stopped()) {
     const std::size_t mine = next_++;
     if (mine >= jobs_.size()) return;
-    std::string outcome;
-    if (const auto wrong = run(jobs_[mine], outcome)) {
-      fail(jobs_[mine], *wrong);
-    } else if (!stop_) {
-      finish(jobs_[mine], outcome);
+    try {
+      do_job(jobs_[mine]);
+    } catch (const std::bad_alloc&) {
+      fail(jobs_[mine], {"the memory of this machine does not suffice; take fewer --jobs or tetrahedra"});
+    } catch (const std::exception& error) {
+      fail(jobs_[mine], {joined({"stopped by an error of the program itself: ", error.what()})});
     }
   }
 }
+
+// Threads that work for a board; its end waits for theirs.
+class Crew {
+ public:
+  Crew(Board& board, std::size_t size) {
+    threads_.reserve(size);
+    try {
+      while (threads_.size() < size) threads_.emplace_back([&board] { board.work(); });
+    } catch (const std::system_error&) {
+      // The machine gives no more threads; those that there are do the same work.
+    }
+  }
+  ~Crew() {
+    for (std::thread& thread : threads_) thread.join();
+  }
+  Crew(const Crew&) = delete;
+  Crew& operator=(const Crew&) = delete;
+
+ private:
+  std::vector<std::thread> threads_;
+};
 
 std::vector<Job> jobs_of(const Study& study, const std::string& folder) {
   std::vector<Job> jobs;
@@ -152,13 +190,15 @@ long step_count(const Study& study) {
   return steps;
 }
 
-std::optional<Error> do_runs(const Study& study, const RunnerOptions& options) {
-  Board board(jobs_of(study, options.folder), step_count(study), options);
-  std::vector<std::thread> workers;
-  for (int i = 1; i < options.jobs; ++i) workers.emplace_back([&board] { board.work(); });
-  board.work();
-  for (std::thread& worker : workers) worker.join();
-  return std::move(board).error();
+std::optional<Failure> do_runs(const Study& study, const RunnerOptions& options) {
+  std::vector<Job> jobs = jobs_of(study, options.folder);
+  const std::size_t workers = std::min(static_cast<std::size_t>(std::max(1, options.jobs)), jobs.size());
+  Board board(std::move(jobs), step_count(study), options);
+  {
+    const Crew others(board, workers > 0 ? workers - 1 : 0);  // this thread is the first worker
+    board.work();
+  }
+  return std::move(board).failure();
 }
 
 }  // namespace acus::study

@@ -23,13 +23,20 @@ long step_count(const Study& study);
 struct RunnerOptions {
   std::string folder;
   int jobs = 1;
-  bool resume = false;                            // keep runs that are finished already
-  std::function<bool()> interrupted;              // true ends the study; finished runs stay finished
+  bool resume = false;  // keep runs that are finished already
+  // True ends the study; finished runs stay finished. Every worker asks, each from its own thread.
+  std::function<bool()> interrupted;
   std::function<void(const Progress&)> progress;  // called by one thread at a time
 };
 
-// Every run into folder/group/run. The first Error stops the others; runs that finished stay finished.
-std::optional<Error> do_runs(const Study& study, const RunnerOptions& options);
+// Why a study stopped.
+struct Failure {
+  std::string sentence;
+  bool wrong_input = false;  // a scene that cannot be built, and not a full disk, lack of memory and the like
+};
+
+// Every run into folder/group/run. The first Failure stops the others; runs that finished stay finished.
+std::optional<Failure> do_runs(const Study& study, const RunnerOptions& options);
 
 // Where a run has its files.
 std::string run_folder(const std::string& folder, const Group& group, const Run& run);

@@ -26,6 +26,14 @@ TEST(Expansion, no_axes_are_one_run) { EXPECT_EQ(grid({}).size(), 1u); }
 TEST(Expansion, names_fit_a_file_system) {
   EXPECT_EQ(name_part({"tissue.mesh", "\"../organs/liver 2.msh\""}), ".._organs_liver_2.msh");
   EXPECT_EQ(name_part({"tissue.size_mm", "[100.0, 50.0]"}), "size_mm__100.0__50.0_");
+  EXPECT_EQ(fitted_name(".._organs", 200), "_._organs");
+  EXPECT_EQ(fitted_name("length_mm_150", 200), "length_mm_150");
+  std::string name(1000, 'a');
+  const std::string one = fitted_name(name, 200);
+  name.back() = 'b';
+  const std::string two = fitted_name(name, 200);
+  EXPECT_EQ(one.size(), 200u);
+  EXPECT_NE(one, two);
 }
 
 TEST(Expansion, a_random_sample_is_repeatable_and_stays_in_its_ranges) {

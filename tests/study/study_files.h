@@ -10,11 +10,11 @@
 
 namespace acus::study {
 
-// An empty folder of its own for the running test.
+// An empty folder of its own for the running test of this build.
 inline std::filesystem::path fresh_folder() {
   const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
   const std::filesystem::path folder =
-      std::filesystem::path(::testing::TempDir()) / "acus" / test->test_suite_name() / test->name();
+      std::filesystem::path(ACUS_BUILD_DIR) / "files of tests" / test->test_suite_name() / test->name();
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   return folder;

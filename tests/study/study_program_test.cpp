@@ -16,13 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-pid_t start(const std::vector<std::string>& words, const fs::path& said) {
+pid_t start(const std::vector<std::string>& words, const fs::path& said,
+            std::string program = ACUS_BUILD_DIR "/acus") {
   const pid_t child = fork();
   if (child != 0) return child;
   if (std::freopen(said.c_str(), "w", stderr) == nullptr || std::freopen("/dev/null", "w", stdout) == nullptr)
     _exit(126);
   std::vector<char*> argv;
-  std::string program = ACUS_BUILD_DIR "/acus";
   argv.push_back(program.data());
   std::vector<std::string> copies = words;
   for (std::string& word : copies) argv.push_back(word.data());
@@ -121,6 +121,21 @@ TEST(StudyProgram, resuming_does_a_run_again_whose_scene_has_changed) {
       acus_study({study, "--resume", "--set", "contact.rupture_force_N=0.2", "--out", out.string()}, folder);
   EXPECT_EQ(changed.exit_code, 0);
   EXPECT_EQ(changed.said.find("done before"), std::string::npos) << changed.said;
+}
+
+TEST(StudyProgram, resuming_with_a_program_that_was_built_again_does_every_run_again) {
+  const fs::path folder = fresh_folder(), out = folder / "out", rebuilt = folder / "acus";
+  const std::string study = small_study(folder);
+  const std::vector<std::string> words{"study", study, "--resume", "--out", out.string()};
+  fs::copy_file(ACUS_BUILD_DIR "/acus", rebuilt);
+  const auto said = [&] {
+    EXPECT_EQ(exit_code_of(start(words, folder / "said", rebuilt)), 0);
+    return text_of(folder / "said");
+  };
+  EXPECT_EQ(said().find("done before"), std::string::npos);
+  EXPECT_NE(said().find("done before"), std::string::npos);
+  std::ofstream(rebuilt, std::ios::binary | std::ios::app) << "other bytes";
+  EXPECT_EQ(said().find("done before"), std::string::npos);
 }
 
 TEST(StudyProgram, the_report_is_whole_and_needs_nothing_from_outside) {

@@ -110,7 +110,72 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"include = [\"study.toml\"]\n", "too deeply, or in a circle"},
         Wrong{"include = []\n", "at least one"},
         Wrong{"include = [\"other.toml\"]\n[axes]\nneedle.length_mm = [100]\n", "has no axes of its own"},
-        Wrong{"name = \"a/b\"\n", "letters, digits"}));
+        Wrong{"name = \"a/b\"\n", "letters, digits"}, Wrong{"name = \"\"\n", "at least one"},
+        Wrong{"[scene.hand]\nkind = \"path\"\n", "hand.path must hold at least two points"},
+        Wrong{"name = \"../up\"\ninclude = [\"other.toml\"]\n", "letters, digits"},
+        Wrong{"name = \"figures\"\n", "is what a part of the report is called"},
+        Wrong{"name = \"results.csv\"\n", "is what a part of the report is called"},
+        Wrong{"[[run]]\nname = \"a\"\n[[run]]\nname = \"b\"\n[sample]\ncount = 60000\nseed = 1\n"
+              "[sample.range]\nneedle.radius_mm = [0.2, 0.3]\n",
+              "more than 100000 runs"},
+        Wrong{"[scene.hand]\nspeed_mm_s = 0.001\n[[run]]\nname = \"slow\"\n",
+              "run slow: run.trace_stride must be at least"}));
+
+TEST(StudyFile, the_advised_trace_stride_is_accepted) {
+  const std::string text = "[scene.hand]\nspeed_mm_s = 0.001\n[scene.run]\ntrace_stride = ";
+  const Result<Study> refused = read_text_as_study(text + "1\n");
+  ASSERT_FALSE(refused);
+  const std::string& sentence = refused.error().sentence;
+  const std::string advised = sentence.substr(sentence.find("at least ") + 9);
+  EXPECT_TRUE(read_text_as_study(text + advised.substr(0, advised.find(' ')) + "\n")) << sentence;
+}
+
+TEST(StudyFile, a_mesh_is_beside_the_study_and_one_of_a_setting_is_where_the_user_is) {
+  const auto folder = fresh_folder();
+  const std::string path =
+      write_text(folder / "s.toml",
+                 "[[run]]\nname = \"far\"\ntissue.mesh = \"far.msh\"\n[axes]\nneedle.length_mm = [150]\n");
+  const std::string axis = write_text(
+      folder / "a.toml", "[scene.tissue]\nmesh_unit_mm = 1.0\n[axes]\ntissue.mesh = [\"o'neil.msh\"]\n");
+  const std::string base = write_text(folder / "b.toml", "[scene.tissue]\nmesh = \"near.msh\"\n");
+  const auto mesh_of = [](const std::string& file, const std::vector<std::string>& settings) {
+    const Result<Study> study = read_study(file, settings);
+    EXPECT_TRUE(study) << study.error().sentence;
+    return study->groups[0].runs[0].scene.tissue.mesh;
+  };
+  EXPECT_EQ(mesh_of(path, {}), (folder / "far.msh").string());
+  EXPECT_EQ(mesh_of(axis, {}), (folder / "o'neil.msh").string());
+  EXPECT_EQ(mesh_of(base, {}), (folder / "near.msh").string());
+  EXPECT_EQ(mesh_of(base, {"tissue.mesh=mine.msh"}), "mine.msh");
+}
+
+TEST(StudyFile, words_with_quotes_and_new_lines_stay_what_they_are) {
+  const auto folder = fresh_folder();
+  const std::string file = write_text(folder / "s.toml", R"(
+[axes]
+tissue.mesh = ["o'neil.msh", "two\nlines \"quoted\" back\\slash.msh"]
+)");
+  const Result<Study> study = read_study(file, {});
+  ASSERT_TRUE(study) << study.error().sentence;
+  const auto& runs = study->groups[0].runs;
+  EXPECT_EQ(chosen_value(runs[0].chosen, "tissue.mesh"), "o'neil.msh");
+  EXPECT_EQ(chosen_value(runs[1].chosen, "tissue.mesh"), "two\nlines \"quoted\" back\\slash.msh");
+  EXPECT_EQ(runs[1].scene.tissue.mesh, (folder / "two\nlines \"quoted\" back\\slash.msh").string());
+}
+
+TEST(StudyFile, names_of_runs_are_names_of_folders_however_long_their_values) {
+  std::string path = "[[0, 0]";
+  for (int i = 1; i <= 100; ++i) path += ", [" + std::to_string(i) + ", " + std::to_string(0.1 * i) + "]";
+  const Result<Study> study =
+      read_text_as_study("[scene.hand]\nkind = \"path\"\npath = [[0, 0], [1, 1]]\n[axes]\nhand.path = [" +
+                         path + "], " + path + ", [101, 20.0]]]\n");
+  ASSERT_TRUE(study) << study.error().sentence;
+  const auto& runs = study->groups[0].runs;
+  ASSERT_EQ(runs.size(), 2u);
+  EXPECT_NE(runs[0].chosen.name, runs[1].chosen.name);
+  EXPECT_EQ(runs[1].scene.hand.path.size(), 102u);
+  for (const auto& run : runs) EXPECT_LE(run.chosen.name.size(), 255u);
+}
 
 TEST(StudyFile, every_shipped_study_can_be_read) {
   int studies = 0;

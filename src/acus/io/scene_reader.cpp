@@ -190,7 +190,7 @@ class Reading {
 };
 
 // "key=value": the value as in TOML, and for words and file names also without quotes.
-std::optional<Error> lay_over(Reading& reading, const std::string& setting) {
+std::optional<Error> lay_over(Reading& reading, const std::string& setting, const std::string& folder) {
   const std::string where = "--set " + setting;
   const auto equals = setting.find('=');
   if (equals == std::string::npos || equals == 0)
@@ -201,18 +201,19 @@ std::optional<Error> lay_over(Reading& reading, const std::string& setting) {
   const bool word =
       std::holds_alternative<ChoiceField>(key->field) || std::holds_alternative<FileField>(key->field);
   if (word && (text.empty() || (text.front() != '"' && text.front() != '\'')))
-    return reading.put(*key, toml::value<std::string>(text), "", where);
+    return reading.put(*key, toml::value<std::string>(text), folder, where);
   const std::string document = "value = " + text;
   const Result<toml::table> parsed = parse_toml(document, where);
   if (!parsed || parsed->size() != 1 || parsed->get("value") == nullptr)
     return Error{where + ": " + quoted(text) +
                  " cannot be read as a value; write a number, true, \"text\" or [a, b, c]"};
-  return reading.put(*key, *parsed->get("value"), "", where);
+  return reading.put(*key, *parsed->get("value"), folder, where);
 }
 
-Result<Scene> finished(Reading reading, const std::vector<std::string>& settings, const std::string& name) {
+Result<Scene> finished(Reading reading, const std::vector<std::string>& settings, const std::string& name,
+                       const std::string& folder = "") {
   for (const std::string& setting : settings)
-    if (auto wrong = lay_over(reading, setting)) return *wrong;
+    if (auto wrong = lay_over(reading, setting, folder)) return *wrong;
   return std::move(reading).finished(name);
 }
 
@@ -233,8 +234,9 @@ Result<Scene> read_scene(const std::string& path, const std::vector<std::string>
   return parse_scene(*text, path, settings);
 }
 
-Result<Scene> with_settings(Scene scene, const std::vector<std::string>& settings) {
-  return finished(Reading(std::move(scene)), settings, "");
+Result<Scene> with_settings(Scene scene, const std::vector<std::string>& settings,
+                            const std::string& folder) {
+  return finished(Reading(std::move(scene)), settings, "", folder);
 }
 
 }  // namespace acus::io

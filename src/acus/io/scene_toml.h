@@ -19,12 +19,15 @@ Result<Scene> read_scene(const std::string& path, const std::vector<std::string>
 Result<Scene> parse_scene(std::string_view text, const std::string& name,
                           const std::vector<std::string>& settings = {});
 
-// `scene` with settings laid over it, checked as a whole.
-Result<Scene> with_settings(Scene scene, const std::vector<std::string>& settings);
+// `scene` with settings laid over it, checked as a whole. Names of files in them start from `folder`.
+Result<Scene> with_settings(Scene scene, const std::vector<std::string>& settings,
+                            const std::string& folder = "");
 
 // Every key with its value: read back in the same folder, it is the same scene to the bit.
 std::string scene_toml(const Scene& scene);
 nlohmann::ordered_json scene_json(const Scene& scene);
+// Text as a TOML string, quotes and all; what would end or break the line is escaped.
+std::string toml_string(const std::string& text);
 
 // The reference of all keys, in Markdown: name, default, what is allowed, meaning.
 std::string scene_keys_page();

@@ -40,22 +40,6 @@ struct FieldWriter {
   }
 };
 
-// Text in TOML's basic string; what would end or break the line is escaped.
-std::string toml_string(const std::string& text) {
-  std::string out = "\"";
-  for (char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') out += '\\';
-    if (byte >= 0x20 && byte != 0x7f) {
-      out += c;
-      continue;
-    }
-    constexpr const char* digits = "0123456789ABCDEF";
-    out += std::string("\\u00") + digits[byte >> 4U] + digits[byte & 0xfU];
-  }
-  return out + "\"";
-}
-
 std::string toml_value(const Json& value) {
   if (value.is_string()) return toml_string(value.get<std::string>());
   if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
@@ -85,6 +69,21 @@ struct AllowedInWords {
 };
 
 }  // namespace
+
+std::string toml_string(const std::string& text) {
+  std::string out = "\"";
+  for (char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') out += '\\';
+    if (byte >= 0x20 && byte != 0x7f) {
+      out += c;
+      continue;
+    }
+    constexpr const char* digits = "0123456789ABCDEF";
+    out += std::string("\\u00") + digits[byte >> 4U] + digits[byte & 0xfU];
+  }
+  return out + "\"";
+}
 
 Json scene_json(const Scene& scene) {
   Json tables = Json::object();

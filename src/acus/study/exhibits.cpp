@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "acus/io/scene_toml.h"
 #include "acus/needle/buckling.h"
 #include "acus/study/axis_ticks.h"
 #include "acus/study/markup.h"
+#include "acus/study/text_hash.h"
 
 namespace acus::study {
 namespace {
@@ -48,7 +50,14 @@ std::string curve_name(const GroupRecords& group, const RunRecord& run) {
 
 std::string figure_name(const GroupRecords& group, const Panel& panel, const std::string& exhibit) {
   std::string name = group.group->name;
-  if (!panel.value.empty()) name.append("-").append(panel.value);
+  if (!panel.value.empty()) {
+    constexpr std::size_t longest = 100;  // letters: with the name of the study still a name of a file
+    std::string part = name_part({"", io::toml_string(panel.value)});
+    // Two values may come to the same letters: what was changed is told apart by its hash.
+    if (part != panel.value || part.size() > longest)
+      part = joined({part.substr(0, longest), "-", hex(hash_of_text(panel.value))});
+    name.append("-").append(part);
+  }
   return name.append("-").append(exhibit);
 }
 

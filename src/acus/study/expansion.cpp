@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <random>
 
+#include "acus/study/text_hash.h"
+
 namespace acus::study {
 namespace {
 
@@ -39,6 +41,14 @@ std::string name_part(const Choice& choice) {
     part.push_back(plain ? c : '_');
   }
   return part;
+}
+
+std::string fitted_name(std::string name, std::size_t most) {
+  if (name.starts_with('.')) name.front() = '_';
+  if (name.size() <= most) return name;
+  const std::string hash = hex(hash_of_text(name));
+  name.resize(most - hash.size() - 1);
+  return name.append("-").append(hash);
 }
 
 std::vector<Case> grid(std::span<const Axis> axes) {

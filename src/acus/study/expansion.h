@@ -45,7 +45,11 @@ struct RandomRange {
 std::vector<Case> random_sample(std::span<const RandomRange> ranges, int count, std::uint64_t seed);
 
 // What a choice adds to the name of its case: the value for words, key and value for numbers. Letters, digits
-// and _ . only.
+// and - + _ . only.
 std::string name_part(const Choice& choice);
+
+// `name` as the name of a folder or a part of one: at most `most` letters, the last of a longer one being a
+// hash of the whole, and no dot at its beginning. `most` is at least 20.
+std::string fitted_name(std::string name, std::size_t most);
 
 }  // namespace acus::study

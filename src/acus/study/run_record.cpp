@@ -1,16 +1,21 @@
 #include "acus/study/run_record.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <string_view>
 
-#include "acus/base/hash.h"
+#include "acus/base/decimal.h"
+#include "acus/io/insertion.h"
 #include "acus/io/output_file.h"
 #include "acus/io/scene_toml.h"
 #include "acus/io/summary_json.h"
 #include "acus/io/text_file.h"
+#include "acus/io/trace_csv.h"
 #include "acus/study/markup.h"
+#include "acus/study/text_hash.h"
 
 namespace acus::study {
 namespace {
@@ -27,8 +32,6 @@ std::vector<std::string_view> split(std::string_view text, char by) {
     text.remove_prefix(end + 1);
   }
 }
-
-std::vector<int> letters_of(std::string_view text) { return {text.begin(), text.end()}; }
 
 double number(std::string_view text) { return std::strtod(std::string(text).c_str(), nullptr); }
 
@@ -83,6 +86,14 @@ Result<nlohmann::json> read_json(const std::string& path) {
   return json;
 }
 
+// The program that runs, to the byte: one that was built again may give other numbers under the same version.
+// Where the system does not show it, the versions must do.
+std::uint64_t hash_of_program() {
+  const std::uint64_t versions = hash_of_text(io::versions_json().dump());
+  const Result<std::string> bytes = io::read_text("/proc/self/exe", longest_file);
+  return bytes ? hash_of_text(*bytes, versions) : versions;
+}
+
 }  // namespace
 
 const std::vector<double>& column(const RunRecord& record, const std::string& name) {
@@ -104,13 +115,13 @@ const Snapshot* find_snapshot(const RunRecord& record, Moment moment) {
 }
 
 std::string fingerprint(const Scene& scene) {
-  const std::string text = joined({io::versions_json().value("acus", ""), "\n", io::scene_toml(scene)});
-  std::uint64_t hash = hash_of(letters_of(text));
+  static const std::uint64_t program = hash_of_program();
+  std::uint64_t hash = hash_of_text(io::scene_toml(scene), program);
   if (!scene.tissue.mesh.empty()) {
     // A mesh is named by its file; what counts is what stands in it. One that cannot be read fails when it is
     // built.
     if (const Result<std::string> mesh = io::read_text(scene.tissue.mesh, longest_file))
-      hash = hash_of(letters_of(*mesh), hash);
+      hash = hash_of_text(*mesh, hash);
   }
   return hex(hash);
 }
@@ -139,6 +150,19 @@ std::optional<Error> mark_finished(const std::string& folder, const std::vector<
   std::filesystem::rename(draft, mark, failure);
   if (failure) return Error{joined({mark.string(), ": cannot be written: ", failure.message()})};
   return std::nullopt;
+}
+
+std::string trace_complaint(const Scene& scene) {
+  constexpr double widest_cell = 25.0;  // bytes: "-1.2345678901234567e-308,"
+  const std::string head = io::trace_csv_header();
+  const double steps = io::step_count(scene);
+  const auto columns = static_cast<double>(std::count(head.begin(), head.end(), ',') + 1);
+  const double most_rows =
+      static_cast<double>(longest_file) / (widest_cell * columns) - 3.0;  // head and ends
+  if (steps / scene.run.trace_stride <= most_rows) return {};
+  return joined({"run.trace_stride must be at least ", decimal_text(std::ceil(steps / most_rows)), " for ",
+                 decimal_text(steps), " steps, but is ", std::to_string(scene.run.trace_stride),
+                 ": a longer trace cannot be read back for the report"});
 }
 
 Result<RunRecord> read_run(const std::string& folder, const Run& run) {

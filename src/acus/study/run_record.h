@@ -37,7 +37,7 @@ const std::vector<double>& column(const RunRecord& record, const std::string& na
 const EventRecord* find_event(const RunRecord& record, const std::string& event);
 const Snapshot* find_snapshot(const RunRecord& record, Moment moment);
 
-// Names what a run depends on: the scene, its mesh file and the version of acus.
+// Names what a run depends on: the scene, what stands in its mesh file, and the program that runs.
 std::string fingerprint(const Scene& scene);
 
 // Whether `folder` holds a finished run with that fingerprint.
@@ -50,6 +50,10 @@ void mark_unfinished(const std::string& folder);
 // sees.
 std::optional<Error> mark_finished(const std::string& folder, const std::vector<Snapshot>& snapshots,
                                    const std::string& fingerprint);
+
+// Why the trace of that scene would be too long for read_run(), and what would be right; empty when it is
+// not.
+std::string trace_complaint(const Scene& scene);
 
 Result<RunRecord> read_run(const std::string& folder, const Run& run);
 

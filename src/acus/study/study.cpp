@@ -12,6 +12,7 @@
 #include "acus/io/toml.h"
 #include "acus/sim/scene_keys.h"
 #include "acus/study/markup.h"
+#include "acus/study/run_record.h"
 #include "acus/study/toml_values.h"
 
 namespace acus::study {
@@ -19,6 +20,8 @@ namespace {
 
 constexpr std::size_t longest_study_file = 1 << 20;  // bytes
 constexpr int deepest_include = 4;
+// Letters; a file system takes 255, and the pictures of a study are named for it and their panel.
+constexpr std::size_t longest_study_name = 100, longest_run_name = 200;
 
 struct ExhibitName {
   const char* word;
@@ -42,6 +45,7 @@ class Reader {
   bool failed() const { return error_.has_value(); }
   void fail(const toml::node* node, const std::string& sentence);
   void only_keys(const toml::table& table, const char* where, std::initializer_list<const char*> known);
+  void check_name(const toml::table& root, const std::string& name);
   std::string word(const toml::table& table, const char* key, const std::string& otherwise);
   std::vector<std::string> words(const toml::table& table, const char* key);
 
@@ -54,6 +58,7 @@ class Reader {
   std::vector<Choice> choices(const toml::table& table, const char* but);
   void keep_place(const Choice& choice, const toml::node& node);
   ReportWish report(const toml::table& root);
+  std::string folder() const { return std::filesystem::path(file_).parent_path().string(); }
   std::string place(const toml::node& node) const;
   Error placed(const Error& error) const;
 
@@ -80,7 +85,7 @@ Error Reader::placed(const Error& error) const {
     if (error.sentence.starts_with(prefix))
       return Error{joined({where, ": ", std::string_view(error.sentence).substr(prefix.size())})};
   }
-  return error;
+  return Error{joined({file_, ": ", error.sentence})};
 }
 
 void Reader::only_keys(const toml::table& table, const char* where,
@@ -94,6 +99,20 @@ void Reader::only_keys(const toml::table& table, const char* where,
     for (const std::string& one : names) list += joined({list.empty() ? "" : ", ", one});
     fail(&node, joined({name, " is not a key of ", where, "; ",
                         near.empty() ? joined({"it knows ", list}) : joined({"did you mean ", near, "?"})}));
+  }
+}
+
+// The name of a study is that of the folder of its runs, which stands beside what the report is made of.
+void Reader::check_name(const toml::table& root, const std::string& name) {
+  const std::string said = joined({"name = \"", name, "\" "});
+  if (name != name_part({"", io::toml_string(name)}) || name.starts_with('.') || name.empty())
+    fail(root.get("name"), said + "may hold letters, digits, - _ + and . only, and at least one");
+  if (name.size() > longest_study_name)
+    fail(root.get("name"),
+         joined({said, "is too long; take at most ", std::to_string(longest_study_name), " letters"}));
+  for (const char* taken : {"figures", "results.csv", "report.html"}) {
+    if (name == taken)
+      fail(root.get("name"), said + "is what a part of the report is called; choose another");
   }
 }
 
@@ -144,13 +163,14 @@ std::optional<Scene> Reader::base_scene(const toml::table& root) {
   Scene scene;
   const std::string base = word(root, "base", "");
   if (!base.empty()) {
-    const Result<Scene> read = io::read_scene((std::filesystem::path(file_).parent_path() / base).string());
+    const Result<Scene> read = io::read_scene((std::filesystem::path(folder()) / base).string());
     if (!read) return fail(root.get("base"), "base: " + read.error().sentence), std::nullopt;
     scene = *read;
   }
   if (const toml::node* node = root.get("scene")) {
     if (!node->is_table()) return fail(node, "scene must be a table, as in [scene.needle]"), std::nullopt;
-    const Result<Scene> laid = io::with_settings(scene, as_settings(choices(*node->as_table(), "")));
+    const Result<Scene> laid =
+        io::with_settings(scene, as_settings(choices(*node->as_table(), "")), folder());
     if (!laid) return error_ = placed(laid.error()), std::nullopt;
     scene = *laid;
   }
@@ -170,7 +190,7 @@ std::vector<Case> Reader::named_runs(const toml::table& root) {
     const toml::table& table = *item.as_table();
     const std::string name = word(table, "name", "");
     if (name.empty()) fail(&item, "a [[run]] needs a name, as in name = \"short\"");
-    if (name != name_part({"", joined({"\"", name, "\""})}) || name.starts_with('.'))
+    if (name != name_part({"", io::toml_string(name)}) || name.starts_with('.'))
       fail(&item, joined({"the name \"", name, "\" of a run may hold letters, digits, - _ + and . only"}));
     cases.push_back({name, choices(table, "name")});
   }
@@ -264,9 +284,6 @@ ReportWish Reader::report(const toml::table& root) {
 Group Reader::read_group(const toml::table& root) {
   Group group;
   group.name = word(root, "name", std::filesystem::path(file_).stem().string());
-  if (group.name != name_part({"", joined({"\"", group.name, "\""})}) || group.name.starts_with('.'))
-    fail(root.get("name"),
-         joined({"name = \"", group.name, "\" may hold letters, digits, - _ + and . only"}));
   group.title = word(root, "title", group.name);
   group.text = word(root, "text", "");
   group.report = report(root);
@@ -276,19 +293,22 @@ Group Reader::read_group(const toml::table& root) {
     fail(root.get("sample"), "a study has [axes] or [sample], not both");
   double count = std::max<double>(1.0, static_cast<double>(named.size()));
   for (const Axis& axis : grid_axes) count *= static_cast<double>(axis.values.size());
+  count *= std::max<double>(1.0, static_cast<double>(drawn.size()));
   if (count > most_runs)
-    fail(root.get("axes"),
-         joined({"the axes make more than ", std::to_string(most_runs), " runs; take fewer values"}));
+    fail(root.get(drawn.empty() ? "axes" : "sample"),
+         joined({"the study has more than ", std::to_string(most_runs), " runs; take fewer values"}));
   const std::optional<Scene> base = failed() ? std::nullopt : base_scene(root);
   if (!base) return group;
 
   std::set<std::string> names;
   for (Case& one : combined(named, drawn.empty() ? grid(grid_axes) : drawn)) {
-    if (one.name.empty()) one.name = "run";
+    one.name = one.name.empty() ? "run" : fitted_name(one.name, longest_run_name);
     if (!names.insert(one.name).second)
       fail(nullptr, joined({"two runs are named ", one.name, "; names must differ"}));
-    const Result<Scene> scene = io::with_settings(*base, as_settings(one.choices));
+    const Result<Scene> scene = io::with_settings(*base, as_settings(one.choices), folder());
     if (!scene) return error_ = placed(scene.error()), group;
+    if (const std::string said = trace_complaint(*scene); !said.empty())
+      return fail(nullptr, joined({"run ", one.name, ": ", said})), group;
     for (const Choice& choice : one.choices) {
       if (std::find(group.varied.begin(), group.varied.end(), choice.key) == group.varied.end())
         group.varied.push_back(choice.key);
@@ -313,7 +333,7 @@ void Reader::read_includes(const toml::table& root, int depth, Study& study) {
   std::set<std::string> names;
   for (const std::string& name : words(root, "include")) {
     if (failed()) return;
-    const std::string path = (std::filesystem::path(file_).parent_path() / name).lexically_normal().string();
+    const std::string path = (std::filesystem::path(folder()) / name).lexically_normal().string();
     Result<Study> part = Reader(path, settings_).read(depth + 1);
     if (!part) {
       error_ = part.error();
@@ -344,6 +364,7 @@ Result<Study> Reader::read(int depth) {
   study.name = word(root, "name", std::filesystem::path(file_).stem().string());
   study.title = word(root, "title", study.name);
   study.text = word(root, "text", "");
+  check_name(root, study.name);
   if (const toml::node* node = root.get("contradictions"); node != nullptr && !node->is_boolean())
     fail(node, "contradictions must be true or false");
   study.contradictions = root["contradictions"].value_or(false);
@@ -364,9 +385,7 @@ Result<Study> read_study(const std::string& path, const std::vector<std::string>
 
 std::string chosen_value(const Case& chosen, const std::string& key) {
   for (const Choice& choice : chosen.choices) {
-    if (choice.key != key) continue;
-    const bool quoted = choice.value.starts_with('\'') || choice.value.starts_with('"');
-    return quoted ? choice.value.substr(1, choice.value.size() - 2) : choice.value;
+    if (choice.key == key) return plain_text(choice.value);
   }
   return {};
 }

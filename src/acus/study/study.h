@@ -3,7 +3,7 @@
 //   name = "fig7a"                         # folder of its runs
 //   title = "..."  text = "..."            # what the report says of it
 //   base = "scene.toml"                    # a scene file beside the study, and/or
-//   [scene]                                # keys of a scene laid over it
+//   [scene]                                # keys of a scene laid over it; tissue.mesh is beside the study
 //   [[run]]                                # named runs: name = "..." and keys of a scene
 //   [axes]                                 # key = [values]: all combinations, the first axis varies slowest
 //   [sample]                               # instead of axes: count, seed and [sample.range] key = [low,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "acus/base/decimal.h"
+#include "acus/io/scene_toml.h"
 #include "acus/study/markup.h"
 
 namespace acus::study {
@@ -25,12 +26,18 @@ std::string value_text(const toml::node& node) {
   if (node.is_integer()) return std::to_string(**node.as_integer());
   if (node.is_floating_point()) return decimal_text(**node.as_floating_point());
   if (node.is_boolean()) return **node.as_boolean() ? "true" : "false";
-  if (node.is_string()) return joined({"'", **node.as_string(), "'"});
+  if (node.is_string()) return io::toml_string(**node.as_string());
   if (!node.is_array()) return {};
   std::string list;
   for (const toml::node& item : *node.as_array())
     list += joined({list.empty() ? "[" : ", ", value_text(item)});
   return list.empty() ? "[]" : list + "]";
+}
+
+std::string plain_text(const std::string& value) {
+  const toml::parse_result parsed = toml::parse(std::string_view(joined({"value = ", value})));
+  const toml::node* node = parsed ? parsed.table().get("value") : nullptr;
+  return node != nullptr && node->is_string() ? **node->as_string() : value;
 }
 
 std::vector<KeyedNode> leaves(const toml::table& table) {

@@ -11,6 +11,9 @@ namespace acus::study {
 // The value as TOML text; empty for what no scene key can be (a table, a date).
 std::string value_text(const toml::node& node);
 
+// The words of a value that is a TOML string; any other value as it stands.
+std::string plain_text(const std::string& value);
+
 struct KeyedNode {
   std::string key;  // dotted
   const toml::node* node;

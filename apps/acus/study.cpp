@@ -87,10 +87,10 @@ int failed_runs(const std::vector<study::GroupRecords>& groups) {
   int failed = 0;
   for (const study::GroupRecords& group : groups) {
     for (const study::RunRecord& run : group.runs) {
-      if (run.summary.value("completed", false)) continue;
+      if (study::completed(run)) continue;
       ++failed;
       refused(joined({"run ", group.group->name, "/", run.chosen.name,
-                      " ended early: ", run.summary.value("health", "")}),
+                      " ended early: ", study::summary_text(run, "/health")}),
               run_failed);
     }
   }

@@ -1,7 +1,9 @@
 #include "acus/study/axis_ticks.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace acus::study {
 namespace {
@@ -16,7 +18,14 @@ std::string fixed(double value, int decimals) {
 
 }  // namespace
 
+bool has_span(double low, double high) {
+  constexpr double rounding = 1e-12;  // of the larger limit
+  return std::isfinite(high - low) && high - low > rounding * std::max(std::abs(low), std::abs(high)) &&
+         high - low >= std::numeric_limits<double>::min();
+}
+
 Ticks axis_ticks(double low, double high, int wanted) {
+  if (!has_span(low, high)) return {{low}, 1.0};
   constexpr double hair = 1e-9;  // of a step: a limit that rounding put just past its tick keeps it
   const double rough = (high - low) / wanted;
   const double power = std::pow(10.0, std::floor(std::log10(rough)));
@@ -29,7 +38,8 @@ Ticks axis_ticks(double low, double high, int wanted) {
                                                  : 10.0);
   const double first = std::ceil(low / ticks.step - hair);
   const double last = std::floor(high / ticks.step + hair);
-  for (double i = first; i <= last; i += 1.0) ticks.at.push_back(i * ticks.step);
+  const auto count = static_cast<int>(last - first) + 1;
+  for (int i = 0; i < count; ++i) ticks.at.push_back((first + i) * ticks.step);
   return ticks;
 }
 

@@ -11,7 +11,10 @@ struct Ticks {
   double step = 1.0;       // 1, 2 or 5 times a power of ten
 };
 
-// About `wanted` ticks at round numbers within [low, high] (low < high, both finite).
+// Whether low and high are finite, low is below high, and by more than rounding.
+bool has_span(double low, double high);
+
+// About `wanted` ticks at round numbers within [low, high]; one at `low` where that has no span.
 Ticks axis_ticks(double low, double high, int wanted);
 
 // `value` with the decimals that tell neighbours `step` apart: tick_label(0.3, 0.1) is "0.3".

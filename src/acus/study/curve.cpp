@@ -1,6 +1,7 @@
 #include "acus/study/curve.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -44,6 +45,7 @@ std::vector<Point2> simplified(std::span<const Point2> points, double tolerance)
 }
 
 double value_at(std::span<const double> xs, std::span<const double> ys, double x) {
+  assert(!xs.empty() && xs.size() == ys.size() && std::is_sorted(xs.begin(), xs.end()));
   const auto after = static_cast<std::size_t>(std::upper_bound(xs.begin(), xs.end(), x) - xs.begin());
   if (after == 0) return ys.front();
   if (after == xs.size()) return ys.back();

@@ -19,10 +19,10 @@ struct Measured {
 
 Measured measured(const RunRecord& run, double shortening_ratio) {
   const double length = run.scene.needle.length;
-  const auto& travel = column(run, "hand_travel_m");
+  const auto travel = way_in(run, "hand_travel_m");
   return {
-      value_at(travel, column(run, "hand_force_N"), shortening_ratio * length) / critical_load(run, length),
-      value_at(travel, column(run, "deflection_m"), shortening_ratio * length) / length};
+      value_at(travel, way_in(run, "hand_force_N"), shortening_ratio * length) / critical_load(run, length),
+      value_at(travel, way_in(run, "deflection_m"), shortening_ratio * length) / length};
 }
 
 std::vector<Point2> ratio_curve(const RunRecord& run, const char* name, double unit) {
@@ -79,7 +79,7 @@ Table elastica_rows(const GroupRecords& group) {
        "off by"},
       {}};
   for (const RunRecord& run : group.runs) {
-    const double furthest = column(run, "hand_travel_m").back() / run.scene.needle.length;
+    const double furthest = way_in(run, "hand_travel_m").back() / run.scene.needle.length;
     for (const ElasticaRow& row : elastica_table(run.scene.needle.support)) {
       if (row.shortening_ratio < 0.01 || row.shortening_ratio > furthest * (1.0 + 1e-9)) continue;
       const Measured m = measured(run, row.shortening_ratio);

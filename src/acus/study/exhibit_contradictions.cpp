@@ -1,6 +1,7 @@
 // Where the paper contradicts itself, in plain words, with the numbers worked out from the closed forms.
 #include "acus/needle/buckling.h"
 #include "acus/needle/needle_spec.h"
+#include "acus/sim/prediction.h"
 #include "acus/study/exhibits.h"
 #include "acus/study/markup.h"
 
@@ -13,10 +14,40 @@ std::string load(double length, Support support) {
   return number(needle::critical_load(needle::bending_rigidity(needle::NeedleSpec{}), length, support), 3);
 }
 
-// Largest load of the clamped-pinned elastica over its critical load, at 46 % end shortening.
-constexpr double greatest_clamped_pinned_ratio = 1.14;
+// Largest load of the clamped-pinned elastica over its critical load, however far its ends come together.
+double greatest_clamped_pinned_ratio() {
+  Scene scene;
+  scene.tissue.rigid = true;
+  scene.needle.support = Support::clamped_pinned;
+  scene.hand.travel = scene.needle.length;
+  const Prediction prediction = predict(scene);
+  return prediction.highest_load / prediction.critical_load;
+}
+
+// Which studies used the linear tetrahedron, and what that means; empty when none did.
+std::string locking(const std::vector<GroupRecords>& groups) {
+  std::string linear;
+  bool all = true;
+  for (const GroupRecords& group : groups) {
+    bool some = false;
+    for (const RunRecord& run : group.runs) {
+      if (run.scene.tissue.rigid) continue;
+      const bool is_linear = run.scene.tissue.element == Element::linear;
+      some = some || is_linear;
+      all = all && is_linear;
+    }
+    if (some) linear += joined({linear.empty() ? "" : ", ", group.group->name});
+  }
+  if (linear.empty()) return {};
+  return joined(
+      {all ? "These studies" : joined({"Runs of ", linear}),
+       " use the paper's linear tetrahedron. At Poisson's ratio 0.48 it is too stiff (it locks), so "
+       "dents before puncture come out too shallow on coarse meshes. Critical loads hardly depend on "
+       "it. Scenes that do not ask for it get an element that does not lock."});
+}
 
 void say_supports(Page& page) {
+  const double greatest_ratio = greatest_clamped_pinned_ratio();
   page.heading(3, "contradiction-supports", "Fig. 7(a) does not follow from Eq. 10");
   page.paragraphs(
       joined({"Eq. 10 is Euler's formula for a needle whose two ends are free to turn. With the needle of "
@@ -36,16 +67,15 @@ void say_supports(Page& page) {
   page.heading(3, "contradiction-never", "The 200 mm needle cannot puncture at 1.0 N if pushed slowly");
   const double critical =
       needle::critical_load(needle::bending_rigidity(needle::NeedleSpec{}), 0.2, Support::clamped_pinned);
-  page.paragraphs(
-      joined({"Fig. 6 and 7 show a buckled needle that later pierces the tissue. A buckled clamped-pinned "
-              "needle pushes at most ",
-              number(greatest_clamped_pinned_ratio), " times its critical load, here ",
-              number(greatest_clamped_pinned_ratio * critical, 2),
-              " N, however far the hand goes. So with a rupture force of 1.0 N it never goes in. A needle "
-              "that buckles and then punctures needs a "
-              "rupture force between ",
-              number(critical, 3), " and ", number(greatest_clamped_pinned_ratio * critical, 2),
-              " N; the study of Fig. 6 takes one from that window and says which."}));
+  page.paragraphs(joined(
+      {"Fig. 6 and 7 show a buckled needle that later pierces the tissue. A buckled clamped-pinned "
+       "needle pushes at most ",
+       number(greatest_ratio, 3), " times its critical load, here ", number(greatest_ratio * critical, 2),
+       " N, however far the hand goes. So with a rupture force of 1.0 N it never goes in. A needle "
+       "that buckles and then punctures needs a "
+       "rupture force between ",
+       number(critical, 3), " and ", number(greatest_ratio * critical, 2),
+       " N; the study of Fig. 6 takes one from that window and says which."}));
 }
 
 void say_formulas(Page& page) {
@@ -91,25 +121,23 @@ void say_formulas(Page& page) {
 
 }  // namespace
 
-void show_contradictions(Page& page) {
+void show_contradictions(Page& page, const std::vector<GroupRecords>& groups) {
   page.heading(2, "contradictions", "Where the paper contradicts itself, and what we did");
   say_supports(page);
   say_formulas(page);
   page.heading(3, "limits", "What these results do not show");
-  page.list(
-      {"The needle is the paper's column: it bends outside the tissue only and goes straight inside. In real "
-       "tissue the inserted part is "
-       "held elastically, and second buckling comes at other loads.",
-       "These studies use the paper's linear tetrahedron. At Poisson's ratio 0.48 it is too stiff (it "
-       "locks), so dents before puncture come "
-       "out too shallow on coarse meshes. Critical loads hardly depend on it. Scenes that do not ask for it "
-       "get an element that does not lock.",
-       "The bow follows the elastica of the free length at every moment: the needle has mass along its axis "
-       "but none across it.",
-       "Rupture force, toughness and friction are single numbers for homogeneous tissue; those of living "
-       "tissue scatter by tens of per cent.",
-       "Nothing here was fitted to the paper's curves: it gives no tables, and its Fig. 7 has no values for "
-       "friction, toughness or speed."});
+  std::vector<std::string> limits{
+      "The needle is the paper's column: it bends outside the tissue only and goes straight inside. In real "
+      "tissue the inserted part is "
+      "held elastically, and second buckling comes at other loads.",
+      "The bow follows the elastica of the free length at every moment: the needle has mass along its axis "
+      "but none across it.",
+      "Rupture force, toughness and friction are single numbers for homogeneous tissue; those of living "
+      "tissue scatter by tens of per cent.",
+      "Nothing here was fitted to the paper's curves: it gives no tables, and its Fig. 7 has no values for "
+      "friction, toughness or speed."};
+  if (const std::string said = locking(groups); !said.empty()) limits.insert(limits.begin() + 1, said);
+  page.list(limits);
 }
 
 }  // namespace acus::study

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "acus/base/units.h"
 #include "acus/study/curve.h"
 #include "acus/study/exhibits.h"
 #include "acus/study/markup.h"
@@ -9,14 +10,14 @@
 namespace acus::study {
 namespace {
 
-constexpr double mm = 1e-3;
+using units::mm;
 constexpr int samples = 200;
 
-int tetrahedra(const RunRecord& run) { return run.summary.value("/mesh/tetrahedra"_json_pointer, 0); }
+long tetrahedra(const RunRecord& run) { return summary_count(run, "/mesh/tetrahedra"); }
 
-// Travel up to the first puncture or buckling, or to the end.
+// Travel up to the first puncture or buckling, or to where the hand first goes back or ends.
 double undisturbed_travel(const RunRecord& run) {
-  double travel = column(run, "hand_travel_m").back();
+  double travel = way_in(run, "hand_travel_m").back();
   for (const char* event : {"puncture", "buckling"}) {
     if (const EventRecord* found = find_event(run, event)) travel = std::min(travel, found->hand_travel);
   }
@@ -30,7 +31,7 @@ double common_travel(const Panel& panel) {
 }
 
 double force_at(const RunRecord& run, double travel) {
-  return value_at(column(run, "hand_travel_m"), column(run, "hand_force_N"), travel);
+  return value_at(way_in(run, "hand_travel_m"), way_in(run, "hand_force_N"), travel);
 }
 
 // Root mean square of the difference of two force curves up to `travel`, over that of the second.
@@ -111,10 +112,11 @@ void show_coupling(Page& page, const GroupRecords& group) {
   double deepest = 0.0, strongest = 0.0, stiffness = 0.0;
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const RunRecord& run = *panels[i].runs.back();
-    const auto &travel = column(run, "hand_travel_m"), &depth = column(run, "tip_depth_m"),
-               &force = column(run, "tip_force_N");
+    const auto travel = way_in(run, "hand_travel_m"), depth = way_in(run, "tip_depth_m"),
+               force = way_in(run, "tip_force_N");
+    const double end = undisturbed_travel(run);
     std::vector<Point2> points;
-    for (std::size_t k = 0; k < travel.size() && travel[k] < undisturbed_travel(run); ++k) {
+    for (std::size_t k = 0; k < travel.size() && travel[k] < end; ++k) {
       points.push_back({depth[k] / mm, force[k]});
       deepest = std::max(deepest, depth[k] / mm);
       strongest = std::max(strongest, force[k]);

@@ -2,13 +2,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "acus/base/units.h"
 #include "acus/study/exhibits.h"
 #include "acus/study/markup.h"
 
 namespace acus::study {
 namespace {
 
-constexpr double mm = 1e-3, mJ = 1e-3;
+using units::mm;
+constexpr double mJ = 1e-3;
 constexpr std::size_t points_of_a_band = 240;
 
 struct Line {
@@ -60,11 +62,6 @@ const RunRecord* most_eventful(const Panel& panel) {
   });
 }
 
-bool travel_increases(const RunRecord& run) {
-  const auto& travel = column(run, "hand_travel_m");
-  return travel.size() > 1 && std::is_sorted(travel.begin(), travel.end()) && travel.front() < travel.back();
-}
-
 Table ledger_table(const GroupRecords& group) {
   Table table{
       "The ledger at the end of each run, mJ. Residual: the largest at any time, over the largest work of "
@@ -84,11 +81,9 @@ Table ledger_table(const GroupRecords& group) {
       const double value = column(run, line.column).back();
       row.push_back(std::abs(value) < negligible * std::abs(work) ? "0" : number(value / mJ, 3));
     }
-    const nlohmann::json energy = run.summary.value("energy", nlohmann::json::object());
-    const double residual = energy.value("relative_residual", std::nan("")),
-                 gap = run.summary.value("peak_energy_force_gap_N", std::nan(""));
-    row.push_back(share(residual));
-    row.push_back(share(gap / run.summary.value("peak_hand_force_N", std::nan(""))));
+    row.push_back(share(summary_number(run, "/energy/relative_residual")));
+    row.push_back(
+        share(summary_number(run, "/peak_energy_force_gap_N") / summary_number(run, "/peak_hand_force_N")));
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -98,15 +93,22 @@ Table ledger_table(const GroupRecords& group) {
 
 void show_energy(Page& page, const GroupRecords& group) {
   page.begin_row();
+  std::string left_out;
   for (const Panel& panel : panels_of(group)) {
     const RunRecord& run = *most_eventful(panel);
-    if (!travel_increases(run)) continue;
+    if (!travel_increases(run)) {
+      left_out += joined({left_out.empty() ? "" : ", ", run.chosen.name});
+      continue;
+    }
     page.figure(figure_name(group, panel, "energy"), drawn(energy_plot(group, panel, run)),
                 "Where the work of the hand went, stacked; the black line is that work. Lines below 0.3 % "
                 "are left out.",
                 {});
   }
   page.end_row();
+  if (!left_out.empty())
+    page.note(
+        joined({"No picture of the energy over the travel, since the hand goes back: ", left_out, "."}));
   page.table(ledger_table(group));
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "acus/base/units.h"
 #include "acus/study/curve.h"
 #include "acus/study/exhibits.h"
 #include "acus/study/markup.h"
@@ -11,7 +12,7 @@
 namespace acus::study {
 namespace {
 
-constexpr double mm = 1e-3;
+using units::mm;
 constexpr std::size_t most_named_curves = 7;  // beyond, names cover each other and all curves look alike
 
 std::vector<Point2> force_curve(const RunRecord& run) {
@@ -48,22 +49,30 @@ void add_levels(Plot& plot, const Panel& panel) {
   }
 }
 
+// The forces at even steps of the travel; of the time where a hand goes back, for then a travel comes more
+// than once.
 Table force_table(const GroupRecords& group, const Panel& panel) {
   constexpr int rows = 24;
-  Table table{"Reaction force in N at the hub against the travel of the hand", {"travel, mm"}, {}};
+  const bool by_travel = std::all_of(panel.runs.begin(), panel.runs.end(),
+                                     [](const RunRecord* run) { return travel_increases(*run); });
+  const char* const along = by_travel ? "hand_travel_m" : "time_s";
+  Table table{
+      joined({"Reaction force in N at the hub against the ", by_travel ? "travel of the hand" : "time"}),
+      {by_travel ? "travel, mm" : "time, s"},
+      {}};
   double furthest = 0.0;
   for (const RunRecord* run : panel.runs) {
     table.head.push_back(curve_name(group, *run));
-    furthest = std::max(furthest, column(*run, "hand_travel_m").back());
+    furthest = std::max(furthest, column(*run, along).back());
   }
   for (int i = 0; i <= rows; ++i) {
-    const double travel = furthest * i / rows;
-    std::vector<std::string> row{number(travel / mm, 4)};
+    const double place = furthest * i / rows;
+    std::vector<std::string> row{number(by_travel ? place / mm : place, 4)};
     for (const RunRecord* run : panel.runs) {
-      const auto& travels = column(*run, "hand_travel_m");
-      row.push_back(travel > travels.back() * (1.0 + 1e-9)
+      const auto& places = column(*run, along);
+      row.push_back(place > places.back() * (1.0 + 1e-9)
                         ? "-"
-                        : number(value_at(travels, column(*run, "hand_force_N"), travel)));
+                        : number(value_at(places, column(*run, "hand_force_N"), place)));
     }
     table.rows.push_back(std::move(row));
   }
@@ -95,7 +104,7 @@ Plot force_plot(const GroupRecords& group, const Panel& panel) {
     plot.curves.push_back({named ? name : "", style, force_curve(*panel.runs[i])});
     if (named) add_marks(plot, *panel.runs[i], style, name, kinds);
     plot.description +=
-        joined({i == 0 ? "" : "; ", name, ": ", in_words(panel.runs[i]->summary.value("outcome", ""))});
+        joined({i == 0 ? "" : "; ", name, ": ", in_words(summary_text(*panel.runs[i], "/outcome"))});
   }
   if (named) add_levels(plot, panel);
   for (const char* event :

@@ -1,14 +1,15 @@
 // Predicted against simulated loads, run by run.
+#include "acus/base/units.h"
 #include "acus/study/exhibits.h"
 #include "acus/study/markup.h"
 
 namespace acus::study {
 namespace {
 
-constexpr double mm = 1e-3;
+using units::mm;
 
 std::vector<std::string> row_of(const RunRecord& run) {
-  std::vector<std::string> row{run.chosen.name, in_words(run.summary.value("outcome", "")),
+  std::vector<std::string> row{run.chosen.name, in_words(summary_text(run, "/outcome")),
                                number(critical_load(run, run.scene.needle.length))};
   const EventRecord* first = find_event(run, "buckling");
   row.push_back(first == nullptr ? "straight" : number(first->hand_force));

@@ -1,4 +1,5 @@
 // Outcomes over two keys: which needles go in straight, which buckle first, which never do.
+#include <cmath>
 #include <cstdlib>
 #include <map>
 
@@ -19,6 +20,12 @@ Look look_of(const std::string& outcome) {
   return {MarkShape::cross, 3};
 }
 
+bool is_number(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  return !text.empty() && *end == '\0' && std::isfinite(value);
+}
+
 }  // namespace
 
 void show_map(Page& page, const GroupRecords& group) {
@@ -27,6 +34,12 @@ void show_map(Page& page, const GroupRecords& group) {
     return;
   }
   const std::string &across = group.group->varied[0], &up = group.group->varied[1];
+  for (const RunRecord& run : group.runs) {
+    for (const std::string* key : {&across, &up}) {
+      if (!is_number(chosen_value(run.chosen, *key)))
+        return page.note(joined({"A map of outcomes needs numbers along both axes; ", *key, " is not one."}));
+    }
+  }
   Plot plot;
   plot.title = "Outcome of each insertion";
   plot.x_label = across;
@@ -34,7 +47,7 @@ void show_map(Page& page, const GroupRecords& group) {
   plot.description = "One mark a run.";
   std::map<std::string, int> counts;
   for (const RunRecord& run : group.runs) {
-    const std::string outcome = run.summary.value("outcome", "");
+    const std::string outcome = summary_text(run, "/outcome");
     const Look look = look_of(outcome);
     const double x = std::atof(chosen_value(run.chosen, across).c_str()),
                  y = std::atof(chosen_value(run.chosen, up).c_str());

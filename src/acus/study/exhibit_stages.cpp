@@ -1,6 +1,7 @@
 // The paper's Fig. 6 (the stages of an insertion) and Fig. 8 (the mesh refined along the path).
 #include <algorithm>
 
+#include "acus/base/units.h"
 #include "acus/study/exhibits.h"
 #include "acus/study/markup.h"
 #include "acus/study/stage_drawing.h"
@@ -8,7 +9,7 @@
 namespace acus::study {
 namespace {
 
-constexpr double mm = 1e-3;
+using units::mm;
 
 std::vector<Snapshot> stages(const RunRecord& run) {
   std::vector<Snapshot> shots;
@@ -52,7 +53,7 @@ void show_mesh(Page& page, const GroupRecords& group) {
   for (const RunRecord& run : group.runs) {
     const Snapshot* rest = find_snapshot(run, Moment::rest);
     if (rest == nullptr || rest->section.polygons.empty()) continue;
-    const int count = run.summary.value("/mesh/tetrahedra"_json_pointer, 0);
+    const auto count = static_cast<int>(summary_count(run, "/mesh/tetrahedra"));
     page.figure(
         joined({group.group->name, "-mesh"}), mesh_drawing(*rest, count, "The mesh, refined along the path"),
         joined({"Section through the axis of insertion before anything moves (the paper's Fig. 8): ",

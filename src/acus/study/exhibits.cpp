@@ -34,6 +34,17 @@ std::vector<Panel> panels_of(const GroupRecords& group) {
   return panels;
 }
 
+bool travel_increases(const RunRecord& run) {
+  const auto& travel = column(run, "hand_travel_m");
+  return std::is_sorted(travel.begin(), travel.end()) && travel.front() < travel.back();
+}
+
+std::span<const double> way_in(const RunRecord& run, const std::string& name) {
+  const auto& travel = column(run, "hand_travel_m");
+  const auto back = std::is_sorted_until(travel.begin(), travel.end());
+  return std::span(column(run, name)).first(static_cast<std::size_t>(back - travel.begin()));
+}
+
 std::string in_words(const std::string& value) {
   std::string words = value;
   std::replace(words.begin(), words.end(), '_', value == "nearest_node" ? ' ' : '-');
@@ -80,6 +91,7 @@ std::string percent_off(double simulated, double predicted) {
 
 std::string share(double ratio) {
   constexpr double negligible = 1e-5;
+  if (!std::isfinite(ratio)) return "-";
   return ratio < negligible ? "< 0.001 %" : joined({number(100.0 * ratio, 2), " %"});
 }
 

@@ -1,6 +1,7 @@
 // Exhibits: what a report shows of a group of runs. Each writes its part of the page.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,9 +21,10 @@ void show_shapes(Page& page, const GroupRecords& group);       // Eq. 11 against
 void show_coupling(Page& page, const GroupRecords& group);     // Eq. 8 as printed against ours
 void show_convergence(Page& page, const GroupRecords& group);  // force under mesh refinement
 void show_map(Page& page, const GroupRecords& group);          // outcome over two keys
-void show_contradictions(Page& page);                          // where the paper contradicts itself
+// Where the paper contradicts itself, and what these groups of runs do not show.
+void show_contradictions(Page& page, const std::vector<GroupRecords>& groups);
 
-// Shared by the exhibits.
+// Shared by the exhibits. Each is given runs only that came to their end.
 
 // The runs of one panel: those that agree in the group's panel key.
 struct Panel {
@@ -30,6 +32,11 @@ struct Panel {
   std::vector<const RunRecord*> runs;
 };
 std::vector<Panel> panels_of(const GroupRecords& group);
+
+// Whether the hand only ever goes in, and does go in.
+bool travel_increases(const RunRecord& run);
+// The rows of a column until the hand first goes back: over them the travel does not decrease.
+std::span<const double> way_in(const RunRecord& run, const std::string& name);
 
 // "pinned_pinned" as a person says it: "pinned-pinned".
 std::string in_words(const std::string& value);

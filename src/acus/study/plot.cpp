@@ -94,7 +94,9 @@ void equalise(Ranges& r, double width, double height) {
 std::vector<Point2> in_pixels(const PlotFrame& frame, const std::vector<Point2>& points) {
   std::vector<Point2> px;
   px.reserve(points.size());
-  for (const Point2& p : points) px.push_back(frame.at(p));
+  for (const Point2& p : points) {
+    if (std::isfinite(p[0]) && std::isfinite(p[1])) px.push_back(frame.at(p));
+  }
   return simplified(px, invisible);
 }
 

@@ -12,10 +12,18 @@ constexpr double px_per_tick_x = 75.0;
 constexpr double px_per_tick_y = 48.0;
 constexpr double label_height = 14.5;  // px from one line of words to the next
 
+// Limits about `value`, so that it stands in the middle.
+Limits around(double value) {
+  const double half = 0.5 * std::max(std::abs(value), 1.0);
+  return {value - half, value + half};
+}
+
+Limits apart(Limits limits) { return has_span(limits.low, limits.high) ? limits : around(limits.low); }
+
 }  // namespace
 
 PlotFrame::PlotFrame(Point2 corner, double width, double height, Limits x, Limits y)
-    : corner_(corner), width_(width), height_(height), x_limits_(x), y_limits_(y) {}
+    : corner_(corner), width_(width), height_(height), x_limits_(apart(x)), y_limits_(apart(y)) {}
 
 double PlotFrame::x(double value) const {
   return corner_[0] + width_ * (value - x_limits_.low) / (x_limits_.high - x_limits_.low);
@@ -64,15 +72,17 @@ void draw_side_labels(Svg& svg, std::vector<SideLabel> labels, double x, Limits 
 }
 
 Limits roomy(const std::vector<double>& values) {
-  if (values.empty()) return {};
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (double value : values) {
+    if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
+  }
+  if (low > high) return {};
   constexpr double air = 0.04;
-  const double span = *high - *low;
-  if (!(span > 0.0))
-    return {*low - 0.5 * std::max(std::abs(*low), 1.0), *low + 0.5 * std::max(std::abs(*low), 1.0)};
-  Limits out{*low - air * span, *high + air * span};
-  if (*low >= 0.0 && *low < 0.4 * *high) out.low = 0.0;
-  if (*low < 0.0 && *low > -1e-6 * span) out.low = 0.0;  // rounding around zero is zero
+  if (!has_span(low, high)) return around(low);
+  const double span = high - low;
+  Limits out{low - air * span, high + air * span};
+  if (low >= 0.0 && low < 0.4 * high) out.low = 0.0;
+  if (low < 0.0 && low > -1e-6 * span) out.low = 0.0;  // rounding around zero is zero
   return out;
 }
 

@@ -15,7 +15,7 @@ struct Limits {
 
 class PlotFrame {
  public:
-  // The rectangle of the picture, in pixels, that shows x times y.
+  // The rectangle of the picture, in pixels, that shows x times y; limits without a span are moved apart.
   PlotFrame(Point2 corner, double width, double height, Limits x, Limits y);
 
   double x(double value) const;
@@ -44,7 +44,7 @@ struct SideLabel {
 };
 void draw_side_labels(Svg& svg, std::vector<SideLabel> labels, double x, Limits y);
 
-// Limits that hold every value, a little air, and zero when it is near.
+// Limits that hold every finite value, a little air, and zero when it is near.
 Limits roomy(const std::vector<double>& values);
 
 }  // namespace acus::study

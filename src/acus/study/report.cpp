@@ -1,9 +1,11 @@
 #include "acus/study/report.h"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 #include <map>
+#include <set>
 
+#include "acus/base/units.h"
 #include "acus/study/exhibits.h"
 #include "acus/study/markup.h"
 
@@ -47,9 +49,12 @@ Tally tally_of(const std::vector<GroupRecords>& groups) {
   for (const GroupRecords& group : groups) {
     for (const RunRecord& run : group.runs) {
       ++tally.runs;
-      ++tally.outcomes[in_words(run.summary.value("outcome", ""))];
-      if (!run.summary.value("completed", false)) ++tally.unfinished;
-      const double residual = run.summary.value("/energy/relative_residual"_json_pointer, 0.0);
+      if (!completed(run)) {
+        ++tally.unfinished;
+        continue;
+      }
+      ++tally.outcomes[in_words(summary_text(run, "/outcome"))];
+      const double residual = summary_number(run, "/energy/relative_residual");
       if (residual > tally.worst_residual) {
         tally.worst_residual = residual;
         tally.worst_run = joined({group.group->name, "/", run.chosen.name});
@@ -64,39 +69,74 @@ void write_summary(Page& page, const std::vector<GroupRecords>& groups) {
   std::string outcomes;
   for (const auto& [outcome, count] : tally.outcomes)
     outcomes += joined({outcomes.empty() ? "" : ", ", std::to_string(count), " ", outcome});
+  if (tally.unfinished > 0)
+    outcomes += joined({outcomes.empty() ? "" : ", ", std::to_string(tally.unfinished), " ended early"});
   std::vector<std::string> items{
       joined({std::to_string(tally.runs), " insertions: ", outcomes, "."}),
       joined({"Energy: the ledger accounts for the work of the hand but for ", share(tally.worst_residual),
               tally.worst_run.empty() ? "." : joined({" at worst (", tally.worst_run, ")."})})};
   if (tally.unfinished > 0)
-    items.push_back(joined({std::to_string(tally.unfinished),
-                            " runs ended early; the table at the end names them and says why."}));
+    items.push_back(
+        joined({std::to_string(tally.unfinished), tally.unfinished == 1 ? " run" : " runs",
+                " ended early and stand in no picture; the table at the end says which and why."}));
   page.list(items);
   if (groups.empty() || groups[0].runs.empty()) return;
-  const nlohmann::json versions = groups[0].runs[0].summary.value("versions", nlohmann::json::object());
-  page.note(joined({"Made by acus ", versions.value("acus", "?"), ", ", versions.value("compiler", "?"), ", ",
-                    versions.value("build_type", "?"), ", Eigen ", versions.value("eigen", "?"),
-                    ". The same study gives the same numbers again, on any number of cores."}));
+  const RunRecord& first = groups[0].runs[0];
+  page.note(
+      joined({"Made by acus ", summary_text(first, "/versions/acus"), ", ",
+              summary_text(first, "/versions/compiler"), ", ", summary_text(first, "/versions/build_type"),
+              ", Eigen ", summary_text(first, "/versions/eigen"),
+              ". The same study gives the same numbers again, on any number of cores."}));
+}
+
+// How often the traces have a row, in words.
+std::string rows_of_traces(const std::vector<GroupRecords>& groups) {
+  std::set<std::string> intervals;
+  for (const GroupRecords& group : groups) {
+    for (const RunRecord& run : group.runs)
+      intervals.insert(number(run.scene.run.time_step * run.scene.run.trace_stride / units::ms));
+  }
+  if (intervals.size() != 1) return "every run.trace_stride steps";
+  return *intervals.begin() == "1" ? "a millisecond" : joined({"every ", *intervals.begin(), " ms"});
+}
+
+// The exhibits of a group, from the runs that came to their end: the others would give pictures of what
+// never was.
+void show_group(Page& page, const GroupRecords& group) {
+  GroupRecords whole{group.group, {}};
+  std::string left_out;
+  for (const RunRecord& run : group.runs) {
+    if (!completed(run))
+      left_out += joined(
+          {left_out.empty() ? "" : ", ", run.chosen.name, " (", in_words(summary_text(run, "/health")), ")"});
+  }
+  if (!left_out.empty()) {
+    page.note(joined({"Left out here, because they ended early: ", left_out, "."}));
+    std::copy_if(group.runs.begin(), group.runs.end(), std::back_inserter(whole.runs), completed);
+    if (whole.runs.empty()) return;
+  }
+  for (Exhibit exhibit : group.group->report.show) show(page, exhibit, left_out.empty() ? group : whole);
 }
 
 void write_runs(Page& page, const std::vector<GroupRecords>& groups) {
   page.heading(2, "runs", "Every run");
   page.paragraphs(
-      "Each run has a folder of its own beside this file, study/run, with its trace (one row a millisecond), "
-      "its events and a summary with "
-      "the whole scene. The hash names the final state to the bit.");
+      joined({"Each run has a folder of its own beside this file, study/run, with its trace (one row ",
+              rows_of_traces(groups),
+              "), its events and a summary with the whole scene. The hash names the final state to "
+              "the bit."}));
   Table table{
       "",
       {"study / run", "outcome", "health", "peak force, N", "tetrahedra", "steps", "hash of the final state"},
       {}};
   for (const GroupRecords& group : groups) {
     for (const RunRecord& run : group.runs)
-      table.rows.push_back(
-          {joined({group.group->name, " / ", run.chosen.name}), in_words(run.summary.value("outcome", "")),
-           in_words(run.summary.value("health", "")),
-           number(run.summary.value("peak_hand_force_N", std::nan(""))),
-           std::to_string(run.summary.value("/mesh/tetrahedra"_json_pointer, 0)),
-           std::to_string(run.summary.value("steps", 0)), run.summary.value("state_hash", "")});
+      table.rows.push_back({joined({group.group->name, " / ", run.chosen.name}),
+                            completed(run) ? in_words(summary_text(run, "/outcome")) : "ended early",
+                            in_words(summary_text(run, "/health")),
+                            number(summary_number(run, "/peak_hand_force_N")),
+                            std::to_string(summary_count(run, "/mesh/tetrahedra")),
+                            std::to_string(summary_count(run, "/steps")), summary_text(run, "/state_hash")});
   }
   page.table(table);
 }
@@ -111,9 +151,9 @@ Report build_report(const Study& study, const std::vector<GroupRecords>& groups)
     // A study of one group has said its title and text already.
     page.heading(2, group.group->name, groups.size() > 1 ? group.group->title : "Results");
     if (groups.size() > 1) page.paragraphs(group.group->text);
-    for (Exhibit exhibit : group.group->report.show) show(page, exhibit, group);
+    show_group(page, group);
   }
-  if (study.contradictions) show_contradictions(page);
+  if (study.contradictions) show_contradictions(page, groups);
   write_runs(page, groups);
   return {page.document(), page.pictures()};
 }

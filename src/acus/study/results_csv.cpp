@@ -44,8 +44,8 @@ std::string of_event(const RunRecord& record, const char* event) {
 // The closed form on the free length at the first buckling of that kind.
 std::string predicted(const RunRecord& record, const char* event) {
   if (!record.summary.contains("bucklings")) return {};
-  for (const auto& buckling : record.summary["bucklings"]) {
-    if (buckling.value("event", "") == event) return value(buckling, "/predicted_load_N");
+  for (const auto& buckling : record.summary.at("bucklings")) {
+    if (value(buckling, "/event") == event) return value(buckling, "/predicted_load_N");
   }
   return {};
 }

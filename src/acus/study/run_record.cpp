@@ -33,7 +33,21 @@ std::vector<std::string_view> split(std::string_view text, char by) {
   }
 }
 
-double number(std::string_view text) { return std::strtod(std::string(text).c_str(), nullptr); }
+// Puts the number that is the whole of `text` behind the others; false when there is none.
+bool append_number(std::string_view text, std::vector<double>& values) {
+  const std::string copy(text);
+  char* end = nullptr;
+  values.push_back(std::strtod(copy.c_str(), &end));
+  return !copy.empty() && end == copy.c_str() + copy.size();
+}
+
+Error damaged(const std::string& path, const std::string& how) {
+  return Error{joined({path, how, "; run the study again without --resume"})};
+}
+
+Error damaged_row(const std::string& path, std::size_t row) {
+  return damaged(path, joined({":", std::to_string(row + 1), ": is no row of such a file"}));
+}
 
 // Rows of comma-separated text without its last empty line.
 std::vector<std::vector<std::string_view>> csv_rows(std::string_view text) {
@@ -47,18 +61,19 @@ std::vector<std::vector<std::string_view>> csv_rows(std::string_view text) {
 std::optional<Error> read_trace(const std::string& path, RunRecord& record) {
   const Result<std::string> text = io::read_text(path, longest_file);
   if (!text) return text.error();
+  if (!text->starts_with(io::trace_csv_header()))
+    return damaged(path, ": has other columns than this version of acus writes");
   const auto rows = csv_rows(*text);
-  if (rows.size() < 2) return Error{joined({path, ": holds no rows; run the study again without --resume"})};
+  if (rows.size() < 2) return damaged(path, ": holds no rows");
   for (std::size_t c = 0; c < rows[0].size(); ++c) {
-    if (rows[0][c] == "stage") continue;
-    std::vector<double>& values = record.trace[std::string(rows[0][c])];
+    const bool words = rows[0][c] == "stage";
+    std::vector<double> values;
     values.reserve(rows.size() - 1);
     for (std::size_t r = 1; r < rows.size(); ++r) {
-      if (rows[r].size() != rows[0].size())
-        return Error{
-            joined({path, ":", std::to_string(r + 1), ": has a row of another length than the header"})};
-      values.push_back(number(rows[r][c]));
+      const bool whole = rows[r].size() == rows[0].size();
+      if (!whole || (!words && !append_number(rows[r][c], values))) return damaged_row(path, r);
     }
+    if (!words) record.trace[std::string(rows[0][c])] = std::move(values);
   }
   return std::nullopt;
 }
@@ -66,13 +81,16 @@ std::optional<Error> read_trace(const std::string& path, RunRecord& record) {
 std::optional<Error> read_events(const std::string& path, RunRecord& record) {
   const Result<std::string> text = io::read_text(path, longest_file);
   if (!text) return text.error();
+  if (!text->starts_with(io::events_csv_header()))
+    return damaged(path, ": has other columns than this version of acus writes");
   const auto rows = csv_rows(*text);
   for (std::size_t r = 1; r < rows.size(); ++r) {
     // time_s, event, hand_travel_m, hand_force_N, free_length_m
-    if (rows[r].size() != 5)
-      return Error{joined({path, ":", std::to_string(r + 1), ": must have 5 columns"})};
-    record.events.push_back(
-        {std::string(rows[r][1]), number(rows[r][2]), number(rows[r][3]), number(rows[r][4])});
+    std::vector<double> values;
+    if (rows[r].size() != 5 || !append_number(rows[r][2], values) || !append_number(rows[r][3], values) ||
+        !append_number(rows[r][4], values))
+      return damaged_row(path, r);
+    record.events.push_back({std::string(rows[r][1]), values[0], values[1], values[2]});
   }
   return std::nullopt;
 }
@@ -81,9 +99,13 @@ Result<nlohmann::json> read_json(const std::string& path) {
   const Result<std::string> text = io::read_text(path, longest_file);
   if (!text) return text.error();
   nlohmann::json json = nlohmann::json::parse(*text, nullptr, false);
-  if (json.is_discarded())
-    return Error{joined({path, ": is not JSON; run the study again without --resume"})};
+  if (json.is_discarded()) return damaged(path, ": is not JSON");
   return json;
+}
+
+const nlohmann::json* in_summary(const RunRecord& record, const char* pointer) {
+  const nlohmann::json::json_pointer at(pointer);
+  return record.summary.contains(at) ? &record.summary.at(at) : nullptr;
 }
 
 // The program that runs, to the byte: one that was built again may give other numbers under the same version.
@@ -112,6 +134,26 @@ const Snapshot* find_snapshot(const RunRecord& record, Moment moment) {
     if (shot.moment == moment) return &shot;
   }
   return nullptr;
+}
+
+bool completed(const RunRecord& record) {
+  const nlohmann::json* found = in_summary(record, "/completed");
+  return found != nullptr && found->is_boolean() && found->get<bool>();
+}
+
+double summary_number(const RunRecord& record, const char* pointer) {
+  const nlohmann::json* found = in_summary(record, pointer);
+  return found != nullptr && found->is_number() ? found->get<double>() : std::nan("");
+}
+
+std::string summary_text(const RunRecord& record, const char* pointer) {
+  const nlohmann::json* found = in_summary(record, pointer);
+  return found != nullptr && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+long summary_count(const RunRecord& record, const char* pointer) {
+  const nlohmann::json* found = in_summary(record, pointer);
+  return found != nullptr && found->is_number_integer() ? found->get<long>() : 0;
 }
 
 std::string fingerprint(const Scene& scene) {
@@ -172,11 +214,13 @@ Result<RunRecord> read_run(const std::string& folder, const Run& run) {
   if (auto wrong = read_events((at / "events.csv").string(), record)) return *wrong;
   Result<nlohmann::json> summary = read_json((at / "summary.json").string());
   if (!summary) return summary.error();
+  if (!summary->is_object()) return damaged((at / "summary.json").string(), ": holds no summary");
   record.summary = std::move(*summary);
   const Result<nlohmann::json> shots = read_json((at / "snapshots.json").string());
   if (!shots) return shots.error();
   Result<std::vector<Snapshot>> snapshots = snapshots_from_json(*shots);
-  if (!snapshots) return snapshots.error();
+  if (!snapshots)
+    return damaged((at / "snapshots.json").string(), joined({": ", snapshots.error().sentence}));
   record.snapshots = std::move(*snapshots);
   return record;
 }

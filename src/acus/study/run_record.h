@@ -37,6 +37,14 @@ const std::vector<double>& column(const RunRecord& record, const std::string& na
 const EventRecord* find_event(const RunRecord& record, const std::string& event);
 const Snapshot* find_snapshot(const RunRecord& record, Moment moment);
 
+// Whether the run came to its end; the numbers of another one need not be finite.
+bool completed(const RunRecord& record);
+// What the summary says at a JSON pointer, as in "/mesh/tetrahedra": NaN, nothing or 0 where it is absent or
+// no such thing. (What is not finite is null in JSON.)
+double summary_number(const RunRecord& record, const char* pointer);
+std::string summary_text(const RunRecord& record, const char* pointer);
+long summary_count(const RunRecord& record, const char* pointer);
+
 // Names what a run depends on: the scene, what stands in its mesh file, and the program that runs.
 std::string fingerprint(const Scene& scene);
 

@@ -71,6 +71,7 @@ void StageCamera::look(const Simulation& simulation) {
   // Below this share of the critical load the bow is within ten times the initial one: straight, to the eye.
   constexpr double still_straight = 0.9;
   const Frame& frame = simulation.frame();
+  if (frame.health != Health::good) return;  // the state of a step that went wrong need not be finite
   const bool inside = frame.stage == Stage::inserted || frame.stage == Stage::inserted_buckled;
   if (inside && !punctured_at_) punctured_at_ = frame.time;
   if (frame.stage == Stage::contact && !punctured_at_ &&

@@ -55,7 +55,8 @@ class StageCamera {
   bool straight_inside_ = false;  // since then
 };
 
-// Lengths are written in micrometres as whole numbers, which no picture can tell from the truth.
+// Lengths are written in micrometres as whole numbers, which no picture can tell from the truth. A snapshot
+// that cannot be drawn (of numbers that are not finite) is left out; in JSON it is an Error.
 nlohmann::json to_json(const std::vector<Snapshot>& snapshots);
 Result<std::vector<Snapshot>> snapshots_from_json(const nlohmann::json& json);
 

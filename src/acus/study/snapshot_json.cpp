@@ -1,5 +1,7 @@
 // Snapshots as JSON, beside the trace of their run.
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include "acus/study/snapshot.h"
 
@@ -8,7 +10,30 @@ namespace {
 
 constexpr double micrometre = 1e-6;
 
+constexpr double furthest = 1e6;  // m: nothing that can be drawn is further away
+
 long whole(double metres) { return std::lround(metres / micrometre); }
+
+bool drawable(double value) { return std::abs(value) < furthest; }  // false for NaN
+bool drawable(const Point2& p) { return drawable(p[0]) && drawable(p[1]); }
+
+bool drawable(const CutPolygon& polygon) {
+  for (int i = 0; i < polygon.corners; ++i) {
+    if (!drawable(polygon.corner[static_cast<std::size_t>(i)])) return false;
+  }
+  return true;
+}
+
+bool drawable(const Snapshot& shot) {
+  const auto all = [](const auto& list) {
+    return std::all_of(list.begin(), list.end(), [](const auto& one) { return drawable(one); });
+  };
+  const std::initializer_list<double> numbers{shot.hand_travel, shot.hand_force, shot.deflection,
+                                              shot.tip_depth, shot.needle_radius};
+  return all(numbers) && all(shot.section.polygons) && all(shot.displacement) && all(shot.needle) &&
+         std::all_of(shot.section.outline.begin(), shot.section.outline.end(),
+                     [](const auto& piece) { return drawable(piece[0]) && drawable(piece[1]); });
+}
 
 void append(nlohmann::json& list, const Point2& p) {
   list.push_back(whole(p[0]));
@@ -56,7 +81,7 @@ Snapshot one_from_json(const nlohmann::json& json) {
   shot.needle_radius = json.at("needle_radius_m").get<double>();
   for (const auto& corners : json.at("polygons_um")) {
     const std::vector<Point2> around = points(corners);
-    CutPolygon polygon{0, static_cast<int>(std::min<std::size_t>(around.size(), 4)), {}};
+    CutPolygon polygon{0, around.size() <= 4 ? static_cast<int>(around.size()) : 0, {}};
     for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.corners); ++i) polygon.corner[i] = around[i];
     shot.section.polygons.push_back(polygon);
   }
@@ -67,20 +92,34 @@ Snapshot one_from_json(const nlohmann::json& json) {
   return shot;
 }
 
+// Whether it is such as to_json() writes, whatever stood in the file.
+bool sound(const Snapshot& shot) {
+  const auto& polygons = shot.section.polygons;
+  return shot.moment >= Moment::rest && shot.moment <= Moment::second_buckling && drawable(shot) &&
+         shot.displacement.size() == polygons.size() && shot.needle.size() >= 2 &&
+         std::all_of(polygons.begin(), polygons.end(), [](const CutPolygon& p) { return p.corners >= 3; });
+}
+
 }  // namespace
 
 nlohmann::json to_json(const std::vector<Snapshot>& snapshots) {
   auto list = nlohmann::json::array();
-  for (const Snapshot& shot : snapshots) list.push_back(to_json(shot));
+  for (const Snapshot& shot : snapshots) {
+    if (drawable(shot)) list.push_back(to_json(shot));
+  }
   return list;
 }
 
 Result<std::vector<Snapshot>> snapshots_from_json(const nlohmann::json& json) {
+  if (!json.is_array()) return Error{"must be a list of snapshots"};
   std::vector<Snapshot> shots;
   try {
-    for (const auto& one : json) shots.push_back(one_from_json(one));
+    for (const auto& one : json) {
+      shots.push_back(one_from_json(one));
+      if (!sound(shots.back())) return Error{"holds a snapshot that cannot be drawn"};
+    }
   } catch (const nlohmann::json::exception& wrong) {
-    return Error{std::string("the snapshots of a run cannot be read: ") + wrong.what()};
+    return Error{std::string("holds no snapshots that can be read: ") + wrong.what()};
   }
   return shots;
 }

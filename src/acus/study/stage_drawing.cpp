@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "acus/base/units.h"
 #include "acus/study/axis_ticks.h"
 #include "acus/study/curve.h"
 #include "acus/study/markup.h"
@@ -10,7 +11,7 @@
 namespace acus::study {
 namespace {
 
-constexpr double mm = 1e-3;
+using units::mm;
 constexpr int shades = 9;  // v0..v8 of the style
 constexpr double close_half_width = 17.0 * mm, close_above = 9.0 * mm, close_below = 21.0 * mm;
 constexpr double panel_gap = 16.0, title_height = 34.0, caption_height = 60.0, legend_height = 48.0;

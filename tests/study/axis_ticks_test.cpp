@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <utility>
+
 namespace acus::study {
 namespace {
 
@@ -30,6 +33,18 @@ TEST(AxisTicks, ticks_stand_where_d3_puts_them) {
         << known.low << " to " << known.high << " by " << known.wanted;
     for (std::size_t i = 0; i < ticks.at.size(); ++i) EXPECT_NEAR(ticks.at[i], known.at[i], 1e-12);
   }
+}
+
+// From 2^53 on the next number is 2 further; an axis of a few such steps has no round numbers between them.
+TEST(AxisTicks, limits_apart_by_rounding_only_have_one_tick) {
+  const double large = 9007199254740992.0;
+  for (const auto& [low, high] : {std::pair{large, large + 4.0},
+                                  {0.3, std::nextafter(0.3, 1.0)},
+                                  {2.0, 2.0},
+                                  {0.0, 0.0},
+                                  {0.0, 5e-324},
+                                  {-1.7e308, 1.7e308}})
+    EXPECT_EQ(axis_ticks(low, high, 5).at, std::vector<double>{low});
 }
 
 TEST(AxisTicks, labels_tell_neighbours_apart) {

@@ -157,6 +157,73 @@ TEST(StudyProgram, the_report_is_whole_and_needs_nothing_from_outside) {
   EXPECT_EQ(pictures, 7);  // force, energy and stages for each support; one mesh
 }
 
+TEST(StudyProgram, a_failed_run_is_left_out_of_the_report_of_the_others) {
+  const fs::path folder = fresh_folder(), out = folder / "out";
+  const std::string study = write_text(folder / "columns.toml", R"(
+[scene.tissue]
+rigid = true
+[scene.hand]
+speed_mm_s = 100.0
+[[run]]
+name = "bent"
+hand.travel_mm = 20.0
+[[run]]
+name = "folded"
+hand.travel_mm = 190.0
+[report]
+show = ["force", "energy", "column", "loads"]
+)");
+  const Outcome outcome = acus_study({study, "--out", out.string()}, folder);
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.said.find("run columns/folded ended early: needle_folded"), std::string::npos)
+      << outcome.said;
+  const std::string html = text_of(out / "report.html");
+  EXPECT_NE(html.find("Left out here, because they ended early: folded (needle-folded)."), std::string::npos);
+  EXPECT_TRUE(fs::exists(out / "figures" / "columns-force.svg"));
+}
+
+TEST(StudyProgram, a_study_over_movements_of_the_hand_has_its_report) {
+  const fs::path folder = fresh_folder(), out = folder / "out";
+  const std::string study = write_text(folder / "hands.toml", R"(
+[scene.tissue]
+tetrahedra = 600
+[scene.hand]
+kind = "path"
+path = [[0, 0], [1, 1]]
+[axes]
+hand.path = [[[0, 0], [0.2, 5]], [[0, 0], [0.2, 5], [0.3, 5], [0.5, 0]]]
+[report]
+show = ["force", "energy", "stages", "mesh", "loads", "convergence", "coupling", "map"]
+panel = "hand.path"
+)");
+  const Outcome outcome = acus_study({study, "--out", out.string()}, folder);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.said;
+  const std::string html = text_of(out / "report.html");
+  EXPECT_NE(html.find("time, s"), std::string::npos);
+  EXPECT_NE(html.find("travel, mm"), std::string::npos);
+  EXPECT_NE(html.find("since the hand goes back"), std::string::npos);
+}
+
+// Two boxes of gmsh, 10 by 10 by 15 mm, in a folder that is not where the program runs.
+TEST(StudyProgram, a_mesh_file_is_found_beside_its_study) {
+  const fs::path folder = fresh_folder(), out = folder / "out";
+  fs::copy_file(fs::path(ACUS_SOURCE_DIR) / "tests/fixtures/meshes/gmsh_22.msh", folder / "o'neil.msh");
+  const std::string study = write_text(folder / "organ.toml", R"(
+[scene.tissue]
+mesh = "o'neil.msh"
+target_mm = [5.0, 5.0, 5.0]
+[scene.hand]
+travel_mm = 0.5
+[axes]
+needle.radius_mm = [0.3, 0.4]
+[report]
+show = ["force", "stages", "mesh"]
+)");
+  const Outcome outcome = acus_study({study, "--out", out.string()}, folder);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.said;
+  EXPECT_TRUE(fs::exists(out / "figures" / "organ-mesh.svg"));
+}
+
 TEST(StudyProgram, bad_input_is_exit_code_two) {
   const fs::path folder = fresh_folder();
   const std::string wrong = write_text(folder / "wrong.toml", "[axes]\nneedle.length_mm = [-1]\n");

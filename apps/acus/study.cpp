@@ -133,7 +133,7 @@ void add_study(CLI::App& program, Work& work) {
       ->type_name("DIR");
   verb->add_option("--figures", options->figures, "folder for the pictures as files; DIR/figures without it")
       ->type_name("DIR");
-  verb->add_flag("--resume", options->resume, "keep the runs that are finished already");
+  verb->add_flag("--resume", options->resume, "keep the runs that this build has finished already");
   verb->add_flag("--quiet", options->quiet, "print nothing but errors");
   verb->callback([options, &work] { work = [options] { return run(*options); }; });
 }

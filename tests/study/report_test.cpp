@@ -15,7 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 
 const char* const trace_head =
-    "time_s,hand_travel_m,hand_force_N,energy_force_N,tip_force_N,tip_depth_m,inserted_length_m,free_length_m,"
+    "time_s,hand_travel_m,hand_force_N,energy_force_N,tip_force_N,tip_depth_m,inserted_length_m,free_length_"
+    "m,"
     "critical_load_N,deflection_m,stage,work_hand_J,energy_tissue_J,energy_needle_J,energy_kinetic_J,"
     "work_cutting_J,work_friction_J,work_damping_J,work_numerical_J,energy_residual_J,solver_iterations,"
     "energy_contact_J\n";
@@ -24,14 +25,14 @@ const char* const trace_head =
 // needle and a half into cutting.
 std::string trace_row(const std::string& time_travel_force, double work) {
   std::ostringstream row;
-  row << time_travel_force << ",0,0,0,0,0.2,0.3,0,contact," << work << ',' << work / 4 << ',' << work / 4 << ",0,"
-      << work / 2 << ",0,0,0,0,1,0\n";
+  row << time_travel_force << ",0,0,0,0,0.2,0.3,0,contact," << work << ',' << work / 4 << ',' << work / 4
+      << ",0," << work / 2 << ",0,0,0,0,1,0\n";
   return row.str();
 }
 
 struct HandMade {
-  std::string trace = trace_head + trace_row("0,0,0", 0.0) + trace_row("1,0.01,0.2", 0.004) +
-                      trace_row("2,0.02,0.5", 0.008);
+  std::string trace =
+      trace_head + trace_row("0,0,0", 0.0) + trace_row("1,0.01,0.2", 0.004) + trace_row("2,0.02,0.5", 0.008);
   std::string events =
       "time_s,event,hand_travel_m,hand_force_N,free_length_m\n"
       "0.1,contact,0.001,0.02,0.2\n1.2,buckling,0.012,0.26,0.2\n1.8,puncture,0.018,0.44,0.19\n";
@@ -102,18 +103,19 @@ Report report_of(const Result<Read>& read) {
 
 const char* const everything = "[report]\nshow = [\"force\", \"loads\", \"energy\"]\n";
 
-// Forces between rows lie on straight lines; the closed form is pi^2 E I / L^2 with Table I's 200 GPa, 0.3 mm.
+// Forces between rows lie on straight lines; the closed form is pi^2 E I / L^2 with Table I's 200 GPa, 0.3
+// mm.
 TEST(Report, its_numbers_are_those_of_the_files) {
   const Result<Read> read = read_hand_made({whole}, everything);
   ASSERT_TRUE(read) << read.error().sentence;
   const std::set<std::string> rows = table_rows(report_of(read));
-  for (const char* row : {
-           "0|0", "5|0.1", "10|0.2", "15|0.35", "20|0.5",                 // force against travel
-           "a|contact|1|0.02|200|0.3139", "a|buckling|12|0.26|200|0.3139",  // events
-           "a|puncture|18|0.44|190|0.3479",
-           "a|buckled-then-punctured|0.3139|0.26|-17.2 %|0.44||||",  // closed form against simulated
-           "a|8|2|2|0|0|4|0|0|0|0.025 %|2 %",                        // the ledger
-           "made / a|buckled-then-punctured|good|0.5|1234|2000|00ff00ff00ff00ff"})
+  for (const char* row :
+       {"0|0", "5|0.1", "10|0.2", "15|0.35", "20|0.5",                   // force against travel
+        "a|contact|1|0.02|200|0.3139", "a|buckling|12|0.26|200|0.3139",  // events
+        "a|puncture|18|0.44|190|0.3479",
+        "a|buckled-then-punctured|0.3139|0.26|-17.2 %|0.44||||",  // closed form against simulated
+        "a|8|2|2|0|0|4|0|0|0|0.025 %|2 %",                        // the ledger
+        "made / a|buckled-then-punctured|good|0.5|1234|2000|00ff00ff00ff00ff"})
     EXPECT_TRUE(rows.count(row)) << row;
   EXPECT_NE(report_of(read).html.find("Made by acus 9.9, hand, none, Eigen 3."), std::string::npos);
 }
@@ -123,18 +125,20 @@ TEST(Report, the_table_of_results_is_that_of_the_files) {
   ASSERT_TRUE(read) << read.error().sentence;
   std::vector<GroupRecords> groups = read->groups;
   groups[0].group = &read->study.groups[0];
-  EXPECT_EQ(results_csv(groups),
-            "study,run,needle.length_mm,outcome,health,buckling_load_N,buckling_predicted_N,buckling_travel_m,"
-            "puncture_force_N,puncture_travel_m,second_buckling_load_N,second_buckling_predicted_N,"
-            "second_buckling_free_length_m,peak_hand_force_N,peak_tip_force_N,peak_deflection_m,peak_tip_depth_m,"
-            "work_hand_J,relative_energy_residual,peak_energy_force_gap_N,tetrahedra,steps,state_hash\n"
-            "made,a,200,buckled_then_punctured,good,0.26,0.3125,0.012,0.44,0.018,,,,0.5,0.45,0.0125,0.003,0.008,"
-            "0.00025,0.01,1234,2000,00ff00ff00ff00ff\n"
-            "made,b,200,never_punctured,not_finite,0.26,,0.012,0.44,0.018,,,,,,,,,,,,1,\n");
+  EXPECT_EQ(
+      results_csv(groups),
+      "study,run,needle.length_mm,outcome,health,buckling_load_N,buckling_predicted_N,buckling_travel_m,"
+      "puncture_force_N,puncture_travel_m,second_buckling_load_N,second_buckling_predicted_N,"
+      "second_buckling_free_length_m,peak_hand_force_N,peak_tip_force_N,peak_deflection_m,peak_tip_depth_m,"
+      "work_hand_J,relative_energy_residual,peak_energy_force_gap_N,tetrahedra,steps,state_hash\n"
+      "made,a,200,buckled_then_punctured,good,0.26,0.3125,0.012,0.44,0.018,,,,0.5,0.45,0.0125,0.003,0.008,"
+      "0.00025,0.01,1234,2000,00ff00ff00ff00ff\n"
+      "made,b,200,never_punctured,not_finite,0.26,,0.012,0.44,0.018,,,,,,,,,,,,1,\n");
 }
 
 TEST(Report, a_run_that_ended_early_is_named_and_left_out_of_the_pictures) {
-  const Result<Read> read = read_hand_made({whole, broken_off()}, everything), alone = read_hand_made({broken_off()}, everything);
+  const Result<Read> read = read_hand_made({whole, broken_off()}, everything),
+                     alone = read_hand_made({broken_off()}, everything);
   ASSERT_TRUE(read) << read.error().sentence;
   const Report report = report_of(read);
   EXPECT_NE(report.html.find("Left out here, because they ended early: b (not-finite)."), std::string::npos);
@@ -151,8 +155,8 @@ TEST(Report, a_run_that_ended_early_is_named_and_left_out_of_the_pictures) {
 TEST(Report, forces_of_a_hand_that_goes_back_are_told_against_time) {
   HandMade back = whole;
   back.trace += trace_row("4,0,-0.1", 0.006);
-  const Result<Read> read =
-      read_hand_made({whole, back}, "[report]\nshow = [\"force\", \"energy\", \"convergence\", \"coupling\"]\n");
+  const Result<Read> read = read_hand_made(
+      {whole, back}, "[report]\nshow = [\"force\", \"energy\", \"convergence\", \"coupling\"]\n");
   ASSERT_TRUE(read) << read.error().sentence;
   const std::set<std::string> rows = table_rows(report_of(read));
   for (const char* row : {"time, s|a|b", "0.5|0.1|0.1", "2|0.5|0.5", "3|-|0.2", "4|-|-0.1",
@@ -177,8 +181,8 @@ TEST(Report, the_rows_of_the_traces_are_as_far_apart_as_the_scenes_say) {
 }
 
 TEST(Report, a_map_of_words_is_refused_with_a_note) {
-  const Result<Read> read = read_hand_made(
-      {whole}, "[axes]\nneedle.support = [\"pinned_pinned\"]\n[report]\nshow = [\"map\"]\n");
+  const Result<Read> read =
+      read_hand_made({whole}, "[axes]\nneedle.support = [\"pinned_pinned\"]\n[report]\nshow = [\"map\"]\n");
   ASSERT_TRUE(read) << read.error().sentence;
   EXPECT_NE(report_of(read).html.find("needle.support is not one"), std::string::npos);
   EXPECT_TRUE(report_of(read).pictures.empty());

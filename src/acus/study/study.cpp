@@ -7,12 +7,11 @@
 #include <set>
 
 #include "acus/io/scene_toml.h"
-#include "acus/io/spelling.h"
 #include "acus/io/text_file.h"
-#include "acus/io/toml.h"
 #include "acus/sim/scene_keys.h"
 #include "acus/study/markup.h"
 #include "acus/study/run_record.h"
+#include "acus/study/toml_reading.h"
 #include "acus/study/toml_values.h"
 
 namespace acus::study {
@@ -33,21 +32,16 @@ constexpr ExhibitName exhibit_names[] = {
     {"shapes", Exhibit::shapes}, {"coupling", Exhibit::coupling}, {"convergence", Exhibit::convergence},
     {"map", Exhibit::map}};
 
-// Reads one study file. The first thing that is wrong is kept in error_; the steps after it do no harm.
-class Reader {
+// Reads one study file.
+class Reader : private TomlReading {
  public:
   Reader(std::string file, std::vector<std::string> settings)
-      : file_(std::move(file)), settings_(std::move(settings)) {}
+      : TomlReading(std::move(file)), settings_(std::move(settings)) {}
 
   Result<Study> read(int depth);
 
  private:
-  bool failed() const { return error_.has_value(); }
-  void fail(const toml::node* node, const std::string& sentence);
-  void only_keys(const toml::table& table, const char* where, std::initializer_list<const char*> known);
   void check_name(const toml::table& root, const std::string& name);
-  std::string word(const toml::table& table, const char* key, const std::string& otherwise);
-  std::vector<std::string> words(const toml::table& table, const char* key);
 
   void read_includes(const toml::table& root, int depth, Study& study);
   Group read_group(const toml::table& root);
@@ -58,24 +52,11 @@ class Reader {
   std::vector<Choice> choices(const toml::table& table, const char* but);
   void keep_place(const Choice& choice, const toml::node& node);
   ReportWish report(const toml::table& root);
-  std::string folder() const { return std::filesystem::path(file_).parent_path().string(); }
-  std::string place(const toml::node& node) const;
   Error placed(const Error& error) const;
 
-  std::string file_;
   std::vector<std::string> settings_;
-  std::optional<Error> error_;
   std::map<std::string, std::string> places_;  // "key=value" -> file:line:column
 };
-
-std::string Reader::place(const toml::node& node) const {
-  const auto& at = node.source().begin;
-  return joined({file_, ":", std::to_string(at.line), ":", std::to_string(at.column)});
-}
-
-void Reader::fail(const toml::node* node, const std::string& sentence) {
-  if (!failed()) error_ = Error{joined({node != nullptr ? place(*node) : file_, ": ", sentence})};
-}
 
 // A complaint about a value of this file is about its place there, not about the --set that it was laid over
 // as.
@@ -85,21 +66,7 @@ Error Reader::placed(const Error& error) const {
     if (error.sentence.starts_with(prefix))
       return Error{joined({where, ": ", std::string_view(error.sentence).substr(prefix.size())})};
   }
-  return Error{joined({file_, ": ", error.sentence})};
-}
-
-void Reader::only_keys(const toml::table& table, const char* where,
-                       std::initializer_list<const char*> known) {
-  const std::vector<std::string> names(known.begin(), known.end());
-  for (const auto& [key, node] : table) {
-    const std::string name(key.str());
-    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
-    const std::string near = io::nearest_word(name, names);
-    std::string list;
-    for (const std::string& one : names) list += joined({list.empty() ? "" : ", ", one});
-    fail(&node, joined({name, " is not a key of ", where, "; ",
-                        near.empty() ? joined({"it knows ", list}) : joined({"did you mean ", near, "?"})}));
-  }
+  return Error{joined({file(), ": ", error.sentence})};
 }
 
 // The name of a study is that of the folder of its runs, which stands beside what the report is made of.
@@ -114,29 +81,6 @@ void Reader::check_name(const toml::table& root, const std::string& name) {
     if (name == taken)
       fail(root.get("name"), said + "is what a part of the report is called; choose another");
   }
-}
-
-std::string Reader::word(const toml::table& table, const char* key, const std::string& otherwise) {
-  const toml::node* node = table.get(key);
-  if (node == nullptr) return otherwise;
-  if (!node->is_string()) fail(node, joined({key, " must be text in quotes"}));
-  return node->value_or(otherwise);
-}
-
-std::vector<std::string> Reader::words(const toml::table& table, const char* key) {
-  std::vector<std::string> out;
-  const toml::node* node = table.get(key);
-  if (node == nullptr) return out;
-  const toml::array* list = node->as_array();
-  if (list == nullptr || list->empty()) {
-    fail(node, joined({key, " must be a list of texts in quotes, with at least one"}));
-    return out;
-  }
-  for (const toml::node& item : *list) {
-    if (!item.is_string()) fail(&item, joined({key, " must hold texts in quotes only"}));
-    out.push_back(item.value_or(std::string()));
-  }
-  return out;
 }
 
 void Reader::keep_place(const Choice& choice, const toml::node& node) {
@@ -171,11 +115,11 @@ std::optional<Scene> Reader::base_scene(const toml::table& root) {
     if (!node->is_table()) return fail(node, "scene must be a table, as in [scene.needle]"), std::nullopt;
     const Result<Scene> laid =
         io::with_settings(scene, as_settings(choices(*node->as_table(), "")), folder());
-    if (!laid) return error_ = placed(laid.error()), std::nullopt;
+    if (!laid) return fail(placed(laid.error())), std::nullopt;
     scene = *laid;
   }
   const Result<Scene> set = io::with_settings(scene, settings_);
-  if (!set) return error_ = set.error(), std::nullopt;
+  if (!set) return fail(set.error()), std::nullopt;
   return *set;
 }
 
@@ -283,7 +227,7 @@ ReportWish Reader::report(const toml::table& root) {
 
 Group Reader::read_group(const toml::table& root) {
   Group group;
-  group.name = word(root, "name", std::filesystem::path(file_).stem().string());
+  group.name = word(root, "name", std::filesystem::path(file()).stem().string());
   group.title = word(root, "title", group.name);
   group.text = word(root, "text", "");
   group.report = report(root);
@@ -306,7 +250,7 @@ Group Reader::read_group(const toml::table& root) {
     if (!names.insert(one.name).second)
       fail(nullptr, joined({"two runs are named ", one.name, "; names must differ"}));
     const Result<Scene> scene = io::with_settings(*base, as_settings(one.choices), folder());
-    if (!scene) return error_ = placed(scene.error()), group;
+    if (!scene) return fail(placed(scene.error())), group;
     if (const std::string said = trace_complaint(*scene); !said.empty())
       return fail(nullptr, joined({"run ", one.name, ": ", said})), group;
     for (const Choice& choice : one.choices) {
@@ -335,10 +279,7 @@ void Reader::read_includes(const toml::table& root, int depth, Study& study) {
     if (failed()) return;
     const std::string path = (std::filesystem::path(folder()) / name).lexically_normal().string();
     Result<Study> part = Reader(path, settings_).read(depth + 1);
-    if (!part) {
-      error_ = part.error();
-      return;
-    }
+    if (!part) return fail(part.error());
     for (Group& group : part->groups) {
       if (!names.insert(group.name).second)
         fail(root.get("include"), joined({"two included studies are named ", group.name}));
@@ -348,12 +289,12 @@ void Reader::read_includes(const toml::table& root, int depth, Study& study) {
 }
 
 Result<Study> Reader::read(int depth) {
-  const Result<std::string> text = io::read_text(file_, longest_study_file);
+  const Result<std::string> text = io::read_text(file(), longest_study_file);
   if (!text) return text.error();
   const toml::parse_result parsed = toml::parse(std::string_view(*text));
   if (!parsed) {
     const toml::source_position at = parsed.error().source().begin;
-    return Error{joined({file_, ":", std::to_string(at.line), ":", std::to_string(at.column),
+    return Error{joined({file(), ":", std::to_string(at.line), ":", std::to_string(at.column),
                          ": is not TOML: ", parsed.error().description()})};
   }
   const toml::table& root = parsed.table();
@@ -361,7 +302,7 @@ Result<Study> Reader::read(int depth) {
             {"name", "title", "text", "include", "base", "scene", "axes", "run", "sample", "report",
              "contradictions"});
   Study study;
-  study.name = word(root, "name", std::filesystem::path(file_).stem().string());
+  study.name = word(root, "name", std::filesystem::path(file()).stem().string());
   study.title = word(root, "title", study.name);
   study.text = word(root, "text", "");
   check_name(root, study.name);
@@ -373,7 +314,7 @@ Result<Study> Reader::read(int depth) {
   } else if (!failed()) {
     study.groups.push_back(read_group(root));
   }
-  if (failed()) return *error_;
+  if (failed()) return error();
   return study;
 }
 

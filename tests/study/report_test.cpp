@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <regex>
 #include <set>
+#include <sstream>
 
 #include "acus/study/runner.h"
 #include "study_files.h"
@@ -89,9 +89,20 @@ Result<Read> read_hand_made(const std::vector<HandMade>& made, const std::string
 // The rows of all tables of a report: "cell|cell|cell".
 std::set<std::string> table_rows(const Report& report) {
   std::set<std::string> rows;
-  const std::regex row("<tr>(.*)</tr>"), between("</t[hd]><t[hd][^>]*>"), tag("<[^>]*>");
-  for (std::sregex_iterator at(report.html.begin(), report.html.end(), row), end; at != end; ++at)
-    rows.insert(std::regex_replace(std::regex_replace((*at)[1].str(), between, "|"), tag, ""));
+  std::istringstream lines(report.html);
+  for (std::string line, row; std::getline(lines, line); row.clear()) {
+    const auto begin = line.find("<tr>"), end = line.find("</tr>");
+    if (begin == std::string::npos || end == std::string::npos) continue;
+    bool in_tag = false;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (line.compare(i, 3, "</t") == 0) row += '|';
+      if (line[i] == '<') in_tag = true;
+      if (!in_tag) row += line[i];
+      if (line[i] == '>') in_tag = false;
+    }
+    row.resize(row.empty() ? 0 : row.size() - 1);
+    rows.insert(row);
+  }
   return rows;
 }
 
@@ -146,7 +157,8 @@ TEST(Report, a_run_that_ended_early_is_named_and_left_out_of_the_pictures) {
   EXPECT_TRUE(table_rows(report).count("5|0.1"));
   EXPECT_TRUE(table_rows(report).count("made / b|ended early|not-finite|-|0|1|"));
   for (const PictureFile& picture : report.pictures)
-    EXPECT_FALSE(std::regex_search(picture.svg, std::regex("[ \",-](nan|inf)[ \",]"))) << picture.name;
+    for (const char* none : {"nan ", "nan\"", "inf ", "inf\""})
+      EXPECT_EQ(picture.svg.find(none), std::string::npos) << picture.name;
   ASSERT_TRUE(alone) << alone.error().sentence;
   EXPECT_TRUE(report_of(alone).pictures.empty());
 }

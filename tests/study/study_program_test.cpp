@@ -260,7 +260,7 @@ TEST(StudyProgram, a_full_disk_in_the_middle_is_exit_code_one) {
   const fs::path folder = fresh_folder(), out = folder / "out";
   const std::string study = column_study(folder);
   for (const char* file :
-       {"columns/length_mm_200/trace.csv", "columns/length_mm_200/snapshots.json", "results.csv"}) {
+       {"columns/length_mm_200/trace.csv", "columns/length_mm_200/snapshots.json.part", "results.csv.part"}) {
     fs::remove_all(out);
     fs::create_directories((out / file).parent_path());
     fs::create_symlink("/dev/full", out / file);

@@ -183,15 +183,10 @@ void mark_unfinished(const std::string& folder) {
 
 std::optional<Error> mark_finished(const std::string& folder, const std::vector<Snapshot>& snapshots,
                                    const std::string& fingerprint) {
-  const std::filesystem::path at(folder), mark = at / finished_mark, draft = at / "finished.draft";
+  const std::filesystem::path at(folder);
   if (auto wrong = io::write_file((at / "snapshots.json").string(), to_json(snapshots).dump() + "\n"))
     return wrong;
-  // A rename is all or nothing: a run that was killed before it has no mark.
-  if (auto wrong = io::write_file(draft.string(), fingerprint + "\n")) return wrong;
-  std::error_code failure;
-  std::filesystem::rename(draft, mark, failure);
-  if (failure) return Error{joined({mark.string(), ": cannot be written: ", failure.message()})};
-  return std::nullopt;
+  return io::write_file((at / finished_mark).string(), fingerprint + "\n");
 }
 
 std::string trace_complaint(const Scene& scene) {

@@ -8,6 +8,7 @@
 
 #include "acus/io/scene_toml.h"
 #include "acus/io/text_file.h"
+#include "acus/io/toml_document.h"
 #include "acus/sim/scene_keys.h"
 #include "acus/study/markup.h"
 #include "acus/study/run_record.h"
@@ -291,13 +292,9 @@ void Reader::read_includes(const toml::table& root, int depth, Study& study) {
 Result<Study> Reader::read(int depth) {
   const Result<std::string> text = io::read_text(file(), longest_study_file);
   if (!text) return text.error();
-  const toml::parse_result parsed = toml::parse(std::string_view(*text));
-  if (!parsed) {
-    const toml::source_position at = parsed.error().source().begin;
-    return Error{joined({file(), ":", std::to_string(at.line), ":", std::to_string(at.column),
-                         ": is not TOML: ", parsed.error().description()})};
-  }
-  const toml::table& root = parsed.table();
+  const Result<toml::table> parsed = io::parse_toml(*text, file());
+  if (!parsed) return parsed.error();
+  const toml::table& root = *parsed;
   only_keys(root, "a study",
             {"name", "title", "text", "include", "base", "scene", "axes", "run", "sample", "report",
              "contradictions"});

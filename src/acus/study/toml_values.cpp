@@ -4,6 +4,7 @@
 
 #include "acus/base/decimal.h"
 #include "acus/io/scene_toml.h"
+#include "acus/io/toml_document.h"
 #include "acus/study/markup.h"
 
 namespace acus::study {
@@ -35,8 +36,8 @@ std::string value_text(const toml::node& node) {
 }
 
 std::string plain_text(const std::string& value) {
-  const toml::parse_result parsed = toml::parse(std::string_view(joined({"value = ", value})));
-  const toml::node* node = parsed ? parsed.table().get("value") : nullptr;
+  const Result<toml::table> parsed = io::parse_toml(joined({"value = ", value}), "value");
+  const toml::node* node = parsed ? parsed->get("value") : nullptr;
   return node != nullptr && node->is_string() ? **node->as_string() : value;
 }
 

@@ -42,10 +42,25 @@ needle.length_mm = [150, 200.5]
 // alphabet.
 TEST(StudyFile, a_setting_changes_the_base_scene_and_leaves_the_axes) {
   const std::string path = write_text(fresh_folder() / "s.toml", "[axes]\nneedle.length_mm = [150, 200]\n");
-  const Result<Study> study = read_study(path, {"needle.radius_mm=0.5", "needle.length_mm=90"});
+  const Result<Study> study = read_study(path, {"needle.radius_mm=0.5"});
   ASSERT_TRUE(study) << study.error().sentence;
   EXPECT_EQ(study->groups[0].runs[1].scene.needle.radius, 0.5e-3);
   EXPECT_EQ(study->groups[0].runs[1].scene.needle.length, 0.2);
+}
+
+TEST(StudyFile, a_setting_that_no_run_would_feel_is_refused) {
+  const auto folder = fresh_folder();
+  const std::string varied = write_text(folder / "varied.toml", "[axes]\nneedle.length_mm = [150, 200]\n");
+  const Result<Study> refused = read_study(varied, {"needle.length_mm=100"});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(
+      refused.error().sentence,
+      "--set needle.length_mm=100: every run of this study has its own needle.length_mm; change it in " +
+          varied);
+  // Where one group of several feels it, it is meant for that one.
+  write_text(folder / "fixed.toml", "[axes]\nneedle.radius_mm = [0.3, 0.4]\n");
+  const std::string both = write_text(folder / "both.toml", "include = [\"varied.toml\", \"fixed.toml\"]\n");
+  EXPECT_TRUE(read_study(both, {"needle.length_mm=100"}));
 }
 
 TEST(StudyFile, a_base_scene_and_included_studies_are_found_beside_the_file) {

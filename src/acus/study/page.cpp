@@ -28,7 +28,9 @@ std::string element(const Table& table) {
   std::vector<const char*> look;
   for (std::size_t i = 0; i < table.head.size(); ++i)
     look.push_back(is_number_column(table, i) ? " class=\"number\"" : "");
-  std::string out = "<div class=\"scroll\"><table>\n";
+  constexpr std::size_t many = 10;  // columns that need smaller letters to stand beside each other
+  std::string out = table.head.size() > many ? "<div class=\"scroll\"><table class=\"wide\">\n"
+                                             : "<div class=\"scroll\"><table>\n";
   if (!table.caption.empty()) out += joined({"<caption>", escaped(table.caption), "</caption>\n"});
   out += "<thead><tr>";
   for (std::size_t i = 0; i < table.head.size(); ++i)

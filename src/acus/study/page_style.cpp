@@ -28,6 +28,7 @@ details{margin:.5rem 0;font-size:.9rem}summary{cursor:pointer;color:var(--link)}
 summary:focus-visible,a:focus-visible{outline:2px solid var(--link);outline-offset:2px;border-radius:2px}
 .scroll{overflow-x:auto;margin:1rem 0}
 table{border-collapse:collapse;font-size:.87rem;font-variant-numeric:tabular-nums}
+.wide{font-size:.74rem}.wide th,.wide td{padding-right:.5rem}
 caption{text-align:left;color:var(--soft);padding-bottom:.4rem;font-size:.9rem}
 th,td{padding:.32rem .8rem .32rem 0;text-align:left;border-bottom:1px solid var(--grid);vertical-align:top}
 thead th{border-bottom:1.5px solid var(--soft);font-weight:600;vertical-align:bottom}
@@ -35,7 +36,7 @@ tbody th{font-weight:400;white-space:nowrap}thead th.number{white-space:normal}
 .number{text-align:right;white-space:nowrap}
 @media print{:root{--paper:#fff;--ink:#000;--soft:#444;--grid:#ccc;--link:#000;--panel:#fff}
 html{font-size:10.5pt}main{max-width:none;padding:0}nav,details{display:none}h2{margin-top:1.6rem;break-after:avoid}h3{break-after:avoid}
-.row{grid-template-columns:1fr 1fr;gap:0 .8rem}tr{break-inside:avoid}.scroll{overflow:visible}table{font-size:7.4pt}th,td{padding:.2rem .45rem .2rem 0}tbody th{white-space:normal;overflow-wrap:anywhere}@page{margin:16mm 15mm}}
+.row{grid-template-columns:1fr 1fr;gap:0 .8rem}tr{break-inside:avoid}.scroll{overflow:visible}table,.wide{font-size:7.4pt}th,td{padding:.2rem .45rem .2rem 0}tbody th{white-space:normal;overflow-wrap:anywhere}@page{margin:16mm 15mm}}
 )css";
 }
 

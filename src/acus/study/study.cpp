@@ -315,10 +315,27 @@ Result<Study> Reader::read(int depth) {
   return study;
 }
 
+bool every_run_chooses(const Study& study, const std::string& key) {
+  for (const Group& group : study.groups)
+    for (const Run& run : group.runs)
+      if (std::none_of(run.chosen.choices.begin(), run.chosen.choices.end(),
+                       [&](const Choice& choice) { return choice.key == key; }))
+        return false;
+  return true;
+}
+
 }  // namespace
 
 Result<Study> read_study(const std::string& path, const std::vector<std::string>& settings) {
-  return Reader(path, settings).read(0);
+  Result<Study> study = Reader(path, settings).read(0);
+  if (!study) return study;
+  for (const std::string& setting : settings) {
+    const std::string key = setting.substr(0, setting.find('='));
+    if (every_run_chooses(*study, key))
+      return Error{joined(
+          {"--set ", setting, ": every run of this study has its own ", key, "; change it in ", path})};
+  }
+  return study;
 }
 
 std::string chosen_value(const Case& chosen, const std::string& key) {

@@ -49,7 +49,8 @@ struct Study {
 };
 
 // `settings` ("tissue.tetrahedra=1000") change the base scene of every group; runs, axes and samples go
-// before them. Errors are one sentence: file:line:column, the key, what is wrong and what would be right.
+// before them, and a setting that no run would feel is refused. Errors are one sentence: file:line:column,
+// the key, what is wrong and what would be right.
 Result<Study> read_study(const std::string& path, const std::vector<std::string>& settings);
 
 // The value of `key` in `choices` as TOML text, quotes taken off; empty when it is not among them.

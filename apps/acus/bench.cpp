@@ -1,7 +1,6 @@
 // acus bench: what a step costs by mesh size and part, beside a plain reference.
 #include <cstdio>
 #include <iostream>
-#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "step_cost.h"
@@ -9,12 +8,6 @@
 
 namespace acus::app {
 namespace {
-
-struct BenchOptions {
-  std::vector<int> sizes = {1000, 3000, 10000, 40000};
-  int steps = 100;
-  bool json = false;
-};
 
 nlohmann::ordered_json as_json(const bench::StepCost& cost) {
   nlohmann::ordered_json stages;
@@ -45,7 +38,9 @@ void print_row(const bench::StepCost& cost) {
   std::fflush(stdout);
 }
 
-int run_bench(const BenchOptions& options) {
+}  // namespace
+
+int do_bench(const BenchOptions& options) {
   nlohmann::ordered_json results = nlohmann::ordered_json::array();
   if (!options.json) print_heading();
   for (int size : options.sizes) {
@@ -64,25 +59,6 @@ int run_bench(const BenchOptions& options) {
         "iterations): medians of processor time taken in turns, the engine solving to the better "
         "residual.\n");
   return done;
-}
-
-}  // namespace
-
-void add_bench(CLI::App& program, Work& work) {
-  auto options = std::make_shared<BenchOptions>();
-  CLI::App* verb = program.add_subcommand("bench", "cost per step by mesh size and part, beside a reference");
-  // Tetrahedra. On smaller blocks the reference comes to rest within what doubles can hold, and past it.
-  constexpr int fewest = 1000, most = 1000000;
-  verb->add_option("--sizes", options->sizes, "tetrahedra aimed at, as in --sizes 1000,10000")
-      ->delimiter(',')
-      ->check(CLI::Range(fewest, most))
-      ->capture_default_str();
-  constexpr int most_steps = 5000;  // the needle that is measured goes no farther
-  verb->add_option("--steps", options->steps, "steps measured for each size")
-      ->check(CLI::Range(1, most_steps))
-      ->capture_default_str();
-  verb->add_flag("--json", options->json, "print one JSON object and nothing else");
-  verb->callback([options, &work] { work = [options] { return run_bench(*options); }; });
 }
 
 }  // namespace acus::app

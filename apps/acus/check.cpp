@@ -1,7 +1,6 @@
 // acus check: explains a scene before it is run.
 #include <chrono>
 #include <cstdio>
-#include <memory>
 
 #include "acus/base/units.h"
 #include "acus/io/insertion.h"
@@ -15,12 +14,6 @@
 
 namespace acus::app {
 namespace {
-
-struct CheckOptions {
-  std::string scene;
-  std::vector<std::string> settings;
-  bool keys = false;
-};
 
 constexpr double degrees = 57.29577951308232;  // per radian
 
@@ -125,7 +118,9 @@ void print_cost(const Scene& scene, Simulation& simulation) {
       1e6 * per_step, scene.run.time_step / units::ms, scene.run.time_step / per_step, all, all * per_step);
 }
 
-int check(const CheckOptions& options) {
+}  // namespace
+
+int do_check(const CheckOptions& options) {
   if (options.keys) {
     std::fputs(io::scene_keys_page().c_str(), stdout);
     return done;
@@ -145,18 +140,6 @@ int check(const CheckOptions& options) {
               duration(scene->hand));
   print_cost(*scene, *simulation);
   return done;
-}
-
-}  // namespace
-
-void add_check(CLI::App& program, Work& work) {
-  auto options = std::make_shared<CheckOptions>();
-  CLI::App* verb =
-      program.add_subcommand("check", "explains a scene: mesh, sizes, predicted loads, cost per step");
-  verb->add_option("SCENE", options->scene, "scene file (TOML)");
-  add_settings(*verb, options->settings);
-  verb->add_flag("--keys", options->keys, "print the reference of all scene keys, in Markdown");
-  verb->callback([options, &work] { work = [options] { return check(*options); }; });
 }
 
 }  // namespace acus::app

@@ -1,7 +1,11 @@
-// Which verb does the user want? Everything else is in the file of that verb.
+// What a user may type: every verb, its options and how wrong ones are refused. The work of a verb is in its
+// own file; this is the only one that parses CLI11, which is heavy.
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <functional>
 #include <iostream>
+#include <memory>
 
 #include "acus/io/spelling.h"
 #include "verbs.h"
@@ -13,6 +17,11 @@ int refused(const std::string& sentence, ExitCode code) {
   return code;
 }
 
+namespace {
+
+using Work = std::function<int()>;
+
+// The option --set key=value, which may stand many times.
 void add_settings(CLI::App& verb, std::vector<std::string>& settings) {
   verb.add_option("--set", settings,
                   "lay a value over the scene, as in --set needle.length_mm=150; may be repeated")
@@ -20,7 +29,72 @@ void add_settings(CLI::App& verb, std::vector<std::string>& settings) {
       ->allow_extra_args(false);
 }
 
-namespace {
+void add_run(CLI::App& program, Work& work) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* verb = program.add_subcommand("run", "one insertion, headless");
+  verb->add_option("SCENE", options->scene, "scene file (TOML); docs/scene-keys.md lists its keys")
+      ->required();
+  add_settings(*verb, options->settings);
+  verb->add_option("--out", options->out,
+                   "folder for trace.csv, events.csv and summary.json; without it nothing is written")
+      ->type_name("DIR");
+  verb->add_option("--vtu-every", options->vtu_every, "keep a drawing for ParaView every N steps")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1'000'000'000));
+  verb->add_flag("--json", options->json, "print summary.json on standard output, and nothing else there");
+  verb->add_flag("--quiet", options->quiet, "print nothing but errors (and what --json asks for)");
+  verb->callback([options, verb, &work] {
+    options->out_given = verb->count("--out") > 0;
+    work = [options] { return do_run(*options); };
+  });
+}
+
+void add_check(CLI::App& program, Work& work) {
+  auto options = std::make_shared<CheckOptions>();
+  CLI::App* verb =
+      program.add_subcommand("check", "explains a scene: mesh, sizes, predicted loads, cost per step");
+  verb->add_option("SCENE", options->scene, "scene file (TOML)");
+  add_settings(*verb, options->settings);
+  verb->add_flag("--keys", options->keys, "print the reference of all scene keys, in Markdown");
+  verb->callback([options, &work] { work = [options] { return do_check(*options); }; });
+}
+
+void add_bench(CLI::App& program, Work& work) {
+  auto options = std::make_shared<BenchOptions>();
+  CLI::App* verb = program.add_subcommand("bench", "cost per step by mesh size and part, beside a reference");
+  // Tetrahedra. On smaller blocks the reference comes to rest within what doubles can hold, and past it.
+  constexpr int fewest = 1000, most = 1000000;
+  verb->add_option("--sizes", options->sizes, "tetrahedra aimed at, as in --sizes 1000,10000")
+      ->delimiter(',')
+      ->check(CLI::Range(fewest, most))
+      ->capture_default_str();
+  constexpr int most_steps = 5000;  // the needle that is measured goes no farther
+  verb->add_option("--steps", options->steps, "steps measured for each size")
+      ->check(CLI::Range(1, most_steps))
+      ->capture_default_str();
+  verb->add_flag("--json", options->json, "print one JSON object and nothing else");
+  verb->callback([options, &work] { work = [options] { return do_bench(*options); }; });
+}
+
+void add_study(CLI::App& program, Work& work) {
+  auto options = std::make_shared<StudyOptions>();
+  CLI::App* verb = program.add_subcommand("study", "a table of insertions, and a report with plots");
+  verb->add_option("STUDY", options->study,
+                   "study file (TOML), or the name of a shipped one: paper, fig6, fig7a, ...")
+      ->required();
+  add_settings(*verb, options->settings);
+  verb->add_option("--jobs", options->jobs, "runs at a time; all cores without it")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  verb->add_option("--out", options->out,
+                   "folder for the table, the report and the runs; out/NAME without it")
+      ->type_name("DIR");
+  verb->add_option("--figures", options->figures, "folder for the pictures as files; DIR/figures without it")
+      ->type_name("DIR");
+  verb->add_flag("--resume", options->resume, "keep the runs that this build has finished already");
+  verb->add_flag("--quiet", options->quiet, "print nothing but errors");
+  verb->callback([options, &work] { work = [options] { return do_study(*options); }; });
+}
 
 // What CLI11 says about a word it did not expect does not name the verb that was meant.
 std::string misspelt_verb(const CLI::App& program, int argc, char** argv) {

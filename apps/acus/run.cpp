@@ -2,7 +2,6 @@
 #include <chrono>
 #include <cstdio>
 #include <iostream>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -18,15 +17,6 @@
 
 namespace acus::app {
 namespace {
-
-struct RunOptions {
-  std::string scene;
-  std::vector<std::string> settings;
-  std::string out;
-  bool out_given = false;
-  int vtu_every = 0;
-  bool json = false, quiet = false;
-};
 
 using io::Insertion;
 using Clock = std::chrono::steady_clock;
@@ -86,7 +76,9 @@ int judged(const Insertion& insertion, bool recorded) {
   return done;
 }
 
-int run(const RunOptions& options) {
+}  // namespace
+
+int do_run(const RunOptions& options) {
   if (options.vtu_every > 0 && options.out.empty())
     return refused("--vtu-every needs a folder for its frames; add --out DIR", bad_input);
   if (options.out_given && options.out.empty())
@@ -125,28 +117,6 @@ int run(const RunOptions& options) {
   else if (!options.quiet)
     print_summary(insertion, wall_time, options.out);
   return judged(insertion, folder.has_value());
-}
-
-}  // namespace
-
-void add_run(CLI::App& program, Work& work) {
-  auto options = std::make_shared<RunOptions>();
-  CLI::App* verb = program.add_subcommand("run", "one insertion, headless");
-  verb->add_option("SCENE", options->scene, "scene file (TOML); docs/scene-keys.md lists its keys")
-      ->required();
-  add_settings(*verb, options->settings);
-  verb->add_option("--out", options->out,
-                   "folder for trace.csv, events.csv and summary.json; without it nothing is written")
-      ->type_name("DIR");
-  verb->add_option("--vtu-every", options->vtu_every, "keep a drawing for ParaView every N steps")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1'000'000'000));
-  verb->add_flag("--json", options->json, "print summary.json on standard output, and nothing else there");
-  verb->add_flag("--quiet", options->quiet, "print nothing but errors (and what --json asks for)");
-  verb->callback([options, verb, &work] {
-    options->out_given = verb->count("--out") > 0;
-    work = [options] { return run(*options); };
-  });
 }
 
 }  // namespace acus::app

@@ -3,7 +3,6 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <system_error>
 #include <thread>
 
@@ -20,13 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using study::joined;
-
-struct StudyOptions {
-  std::string study, out, figures;
-  std::vector<std::string> settings;
-  int jobs = 0;  // 0: one for each core
-  bool resume = false, quiet = false;
-};
 
 // A name without a folder or ending, which is no file here, is one of the studies that come with acus.
 std::string study_file(const std::string& given) {
@@ -97,7 +89,9 @@ int failed_runs(const std::vector<study::GroupRecords>& groups) {
   return failed;
 }
 
-int run(const StudyOptions& options) {
+}  // namespace
+
+int do_study(const StudyOptions& options) {
   const Result<study::Study> study = study::read_study(study_file(options.study), options.settings);
   if (!study) return refused(study.error().sentence, bad_input);
   const std::string out = options.out.empty() ? (fs::path("out") / study->name).string() : options.out;
@@ -114,28 +108,6 @@ int run(const StudyOptions& options) {
   if (!options.quiet)
     std::printf("%s\n%s\n", (fs::path(out) / "results.csv").c_str(), (fs::path(out) / "report.html").c_str());
   return failed_runs(*groups) == 0 ? done : run_failed;
-}
-
-}  // namespace
-
-void add_study(CLI::App& program, Work& work) {
-  auto options = std::make_shared<StudyOptions>();
-  CLI::App* verb = program.add_subcommand("study", "a table of insertions, and a report with plots");
-  verb->add_option("STUDY", options->study,
-                   "study file (TOML), or the name of a shipped one: paper, fig6, fig7a, ...")
-      ->required();
-  add_settings(*verb, options->settings);
-  verb->add_option("--jobs", options->jobs, "runs at a time; all cores without it")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024));
-  verb->add_option("--out", options->out,
-                   "folder for the table, the report and the runs; out/NAME without it")
-      ->type_name("DIR");
-  verb->add_option("--figures", options->figures, "folder for the pictures as files; DIR/figures without it")
-      ->type_name("DIR");
-  verb->add_flag("--resume", options->resume, "keep the runs that this build has finished already");
-  verb->add_flag("--quiet", options->quiet, "print nothing but errors");
-  verb->callback([options, &work] { work = [options] { return run(*options); }; });
 }
 
 }  // namespace acus::app

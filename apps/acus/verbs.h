@@ -1,9 +1,6 @@
-// The verbs of the program. Each adds its own options and, when the user chose it, sets `work` to what it
-// does; the work returns the exit code.
+// The verbs of the program: what each is told, and the work it does; the work returns the exit code.
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -11,17 +8,39 @@ namespace acus::app {
 
 enum ExitCode { done = 0, run_failed = 1, bad_input = 2 };
 
-using Work = std::function<int()>;
-
-void add_run(CLI::App& program, Work& work);
-void add_check(CLI::App& program, Work& work);
-void add_bench(CLI::App& program, Work& work);
-void add_study(CLI::App& program, Work& work);
-
 // "acus: sentence" on standard error; returns `code`.
 int refused(const std::string& sentence, ExitCode code);
 
-// The option --set key=value, which may stand many times.
-void add_settings(CLI::App& verb, std::vector<std::string>& settings);
+struct RunOptions {
+  std::string scene;
+  std::vector<std::string> settings;  // key=value
+  std::string out;                    // folder
+  bool out_given = false;
+  int vtu_every = 0;  // steps; 0: never
+  bool json = false, quiet = false;
+};
+int do_run(const RunOptions& options);
+
+struct CheckOptions {
+  std::string scene;
+  std::vector<std::string> settings;
+  bool keys = false;
+};
+int do_check(const CheckOptions& options);
+
+struct BenchOptions {
+  std::vector<int> sizes = {1000, 3000, 10000, 40000};  // tetrahedra
+  int steps = 100;
+  bool json = false;
+};
+int do_bench(const BenchOptions& options);
+
+struct StudyOptions {
+  std::string study, out, figures;
+  std::vector<std::string> settings;
+  int jobs = 0;  // 0: one for each core
+  bool resume = false, quiet = false;
+};
+int do_study(const StudyOptions& options);
 
 }  // namespace acus::app

@@ -5,6 +5,8 @@
 
 #include <random>
 
+#include "tests/oracles/dense.h"
+
 namespace acus::numeric {
 namespace {
 
@@ -22,10 +24,7 @@ struct System {
   explicit System(const Eigen::VectorXd& eigenvalues, unsigned seed = 1) {
     std::mt19937 random(seed);
     std::normal_distribution<double> normal;
-    Eigen::MatrixXd G(3 * nodes, 3 * nodes);
-    for (double& g : G.reshaped()) g = normal(random);
-    const Eigen::MatrixXd Q = Eigen::HouseholderQR<Eigen::MatrixXd>(G).householderQ();
-    const Eigen::MatrixXd inner = Q * eigenvalues.asDiagonal() * Q.transpose();
+    const Eigen::MatrixXd inner = testing::symmetric_with(eigenvalues, random);
     const auto place = [](int i) { return node_stride * (i / 3) + i % 3; };
     for (int i = 0; i < 3 * nodes; ++i) {
       b[place(i)] = normal(random);
@@ -46,9 +45,7 @@ struct System {
   }
 };
 
-Eigen::VectorXd spread(double lowest, double highest) {
-  return Eigen::VectorXd::LinSpaced(3 * nodes, std::log(lowest), std::log(highest)).array().exp();
-}
+Eigen::VectorXd spread(double lowest, double highest) { return testing::spread(3 * nodes, lowest, highest); }
 
 TEST(ConjugateGradients, find_the_dense_solution_from_any_start) {
   const System system(spread(1.0, 1e4));
@@ -57,7 +54,7 @@ TEST(ConjugateGradients, find_the_dense_solution_from_any_start) {
     for (int i = 0; i < nodes; ++i) x[node_stride * i + 3] = 0.0;
     const CgOutcome outcome = system.solve(x, 1e-10, 500);
     EXPECT_FALSE(outcome.broke_down);
-    const Eigen::VectorXd expected = system.A.ldlt().solve(dense(system.b));
+    const Eigen::VectorXd expected = testing::solve_positive(system.A, dense(system.b));
     EXPECT_LT((dense(x) - expected).norm(), 1e-9 * expected.norm());
   }
 }

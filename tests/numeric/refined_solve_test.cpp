@@ -5,6 +5,8 @@
 
 #include <random>
 
+#include "tests/oracles/dense.h"
+
 namespace acus::numeric {
 namespace {
 
@@ -17,12 +19,7 @@ class System {
   explicit System(double condition) {
     std::mt19937 random(5);
     std::normal_distribution<double> normal;
-    Eigen::MatrixXd G(size, size);
-    for (double& g : G.reshaped()) g = normal(random);
-    const Eigen::MatrixXd Q = Eigen::HouseholderQR<Eigen::MatrixXd>(G).householderQ();
-    const Eigen::VectorXd eigenvalues =
-        Eigen::VectorXd::LinSpaced(size, 0.0, std::log(condition)).array().exp();
-    A = Q * eigenvalues.asDiagonal() * Q.transpose();
+    A = testing::symmetric_with(testing::spread(size, 1.0, condition), random);
     single_ = A.cast<float>();
     for (double& value : b) value = normal(random);
   }
@@ -58,7 +55,7 @@ TEST(RefinedSolve, reaches_residuals_that_single_precision_cannot) {
     const CgOutcome outcome = system.solve(x, 1e-12 * norm);
     EXPECT_FALSE(outcome.broke_down);
     EXPECT_LE(system.residual(x), 1.1e-12 * norm);
-    const Eigen::VectorXd exact = system.A.llt().solve(system.dense(system.b));
+    const Eigen::VectorXd exact = testing::solve_positive(system.A, system.dense(system.b));
     EXPECT_LT((system.dense(x) - exact).norm(), 1e-11 * condition * exact.norm());
   }
 }

@@ -1,11 +1,10 @@
 // The rotation in a deformation gradient, for every kind of gradient that a crushed mesh can produce.
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
 #include <random>
 
 #include "acus/numeric/polar.h"
+#include "tests/oracles/dense.h"
 #include "tests/random_gradient.h"
 
 namespace acus::numeric {
@@ -20,7 +19,7 @@ double best_trace(const Mat3& F) {
       S(1, 2) - S(2, 1), S(0, 0) - S(1, 1) - S(2, 2), S(0, 1) + S(1, 0), S(2, 0) + S(0, 2),   //
       S(2, 0) - S(0, 2), S(0, 1) + S(1, 0), S(1, 1) - S(0, 0) - S(2, 2), S(1, 2) + S(2, 1),   //
       S(0, 1) - S(1, 0), S(2, 0) + S(0, 2), S(1, 2) + S(2, 1), S(2, 2) - S(0, 0) - S(1, 1);
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(N, Eigen::EigenvaluesOnly).eigenvalues()[3];
+  return testing::largest_eigenvalue(N);
 }
 
 Mat3 random_rotation(std::mt19937& random) {

@@ -47,7 +47,7 @@ Outcome acus_study(std::vector<std::string> words, const fs::path& folder) {
   return {code, text_of(folder / "said")};
 }
 
-// Four needles pushed into a coarse block: some tenths of a second each.
+// Four needles pushed into a coarse block by coarse steps: a tenth of a second each.
 std::string small_study(const fs::path& folder) {
   return write_text(folder / "small.toml", R"(
 title = "Small & <quick>"
@@ -56,6 +56,8 @@ tetrahedra = 600
 [scene.hand]
 speed_mm_s = 40.0
 travel_mm = 24.0
+[scene.run]
+time_step_ms = 4.0
 [axes]
 needle.support = ["pinned_pinned", "clamped_pinned"]
 needle.length_mm = [120, 200]

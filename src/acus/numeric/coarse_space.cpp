@@ -127,7 +127,8 @@ std::vector<double> grid_matrix(const CoarseSpace& space,
           x[node_stride * i + row % 3] = static_cast<double>(space.weight[i][k]);
     multiply(y, x);
     restrict_fields(field, space, y);
-    for (int j = 0; j < n; ++j) matrix[static_cast<std::size_t>(row) * n + j] = field[j / 3 * 4 + j % 3];
+    for (int j = 0; j < n; ++j)
+      matrix[static_cast<std::size_t>(row) * n + j] = field[node_stride * (j / 3) + j % 3];
   }
   return matrix;
 }

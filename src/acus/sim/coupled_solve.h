@@ -29,7 +29,7 @@ struct HeldPoint {
 
 struct Scratch {
   tissue::Corotation corotation;  // at the present positions
-  tissue::SystemMatrix matrix;    // at the same
+  tissue::SystemMatrix matrix;    // at the positions of `corotation`
   numeric::RefinedScratch solver;
   numeric::CoarseScratch coarse;
   numeric::NodeVector product;   // of the matrix

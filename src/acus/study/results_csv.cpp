@@ -1,6 +1,7 @@
 #include "acus/study/results_csv.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "acus/base/decimal.h"
 #include "acus/study/markup.h"
@@ -30,9 +31,9 @@ struct Field {
   std::string (*of)(const RunRecord&);
 };
 
-#define ACUS_SUMMARY(name, pointer)                                    \
-  Field {                                                              \
-    name, [](const RunRecord& r) { return value(r.summary, pointer); } \
+#define ACUS_SUMMARY(name, pointer)                                     \
+  Field {                                                               \
+    name, [](const RunRecord& r) { return value(*r.summary, pointer); } \
   }
 
 template <double EventRecord::*member>
@@ -43,8 +44,8 @@ std::string of_event(const RunRecord& record, const char* event) {
 
 // The closed form on the free length at the first buckling of that kind.
 std::string predicted(const RunRecord& record, const char* event) {
-  if (!record.summary.contains("bucklings")) return {};
-  for (const auto& buckling : record.summary.at("bucklings")) {
+  if (!record.summary->contains("bucklings")) return {};
+  for (const auto& buckling : record.summary->at("bucklings")) {
     if (value(buckling, "/event") == event) return value(buckling, "/predicted_load_N");
   }
   return {};

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "acus/base/decimal.h"
@@ -105,7 +106,7 @@ Result<nlohmann::json> read_json(const std::string& path) {
 
 const nlohmann::json* in_summary(const RunRecord& record, const char* pointer) {
   const nlohmann::json::json_pointer at(pointer);
-  return record.summary.contains(at) ? &record.summary.at(at) : nullptr;
+  return record.summary->contains(at) ? &record.summary->at(at) : nullptr;
 }
 
 // The program that runs, to the byte: one that was built again may give other numbers under the same version.
@@ -210,7 +211,7 @@ Result<RunRecord> read_run(const std::string& folder, const Run& run) {
   Result<nlohmann::json> summary = read_json((at / "summary.json").string());
   if (!summary) return summary.error();
   if (!summary->is_object()) return damaged((at / "summary.json").string(), ": holds no summary");
-  record.summary = std::move(*summary);
+  record.summary = std::make_shared<const nlohmann::json>(std::move(*summary));
   const Result<nlohmann::json> shots = read_json((at / "snapshots.json").string());
   if (!shots) return shots.error();
   Result<std::vector<Snapshot>> snapshots = snapshots_from_json(*shots);

@@ -3,7 +3,8 @@
 #pragma once
 
 #include <map>
-#include <nlohmann/json.hpp>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,7 +25,7 @@ struct EventRecord {
 struct RunRecord {
   Case chosen;
   Scene scene;
-  nlohmann::json summary;
+  std::shared_ptr<const nlohmann::json> summary;  // an object; never null in a record that was read
   std::map<std::string, std::vector<double>>
       trace;  // column of trace.csv -> values; `stage` is not among them
   std::vector<EventRecord> events;

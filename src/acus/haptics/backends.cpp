@@ -1,0 +1,27 @@
+#include "acus/haptics/backends.h"
+
+#include <vector>
+
+#include "acus/io/spelling.h"
+
+namespace acus::haptics {
+
+std::span<const Backend> backends() {
+  static const std::vector<Backend> all = {};
+  return all;
+}
+
+Result<std::unique_ptr<Device>> open_device(const std::string& name) {
+  const std::size_t colon = name.find(':');
+  const std::string backend = name.substr(0, colon);
+  std::vector<std::string> names;
+  for (const Backend& known : backends()) {
+    if (known.name == backend) return known.open(colon == std::string::npos ? "" : name.substr(colon + 1));
+    names.push_back(known.name);
+  }
+  const std::string near = io::nearest_word(backend, names);
+  return Error{"there is no device '" + backend + "'; " +
+               (near.empty() ? "`acus device list` shows what there is" : "did you mean '" + near + "'?")};
+}
+
+}  // namespace acus::haptics

@@ -1,0 +1,399 @@
+// Every guard of the force gate: what it does, and where it begins to. The figures are those of the design:
+// each test goes red when its guard is taken out.
+#include "acus/haptics/force_gate.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace acus::haptics {
+namespace {
+
+using Triple = std::array<double, 3>;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double norm(const Triple& v) { return std::hypot(v[0], v[1], v[2]); }
+Triple x(double value) { return {value, 0.0, 0.0}; }
+
+// A gate that is asked once a millisecond, as a loop would.
+class Driven {
+ public:
+  explicit Driven(GateLimits limits = {8.5, 3.0, 0.5}) : gate(limits) {}
+
+  Triple ask(const Triple& force, double age = 0.0, const Triple& velocity = {}) {
+    return gate.pass({force, {}, velocity, age, 1e-3}).force;
+  }
+  double ask(double force, double age = 0.0, double speed = 0.0) { return ask(x(force), age, x(speed))[0]; }
+  double ask_for(int ticks, double force) {
+    double last = 0.0;
+    for (int i = 0; i < ticks; ++i) last = ask(force);
+    return last;
+  }
+  // Through the quiet ticks and the whole ramp.
+  Driven& armed() {
+    ask_for(600, 0.0);
+    EXPECT_EQ(gate.state(), GateState::armed);
+    return *this;
+  }
+  Driven& at(double force) {
+    armed();
+    EXPECT_DOUBLE_EQ(ask_for(20, force), force);
+    return *this;
+  }
+
+  ForceGate gate;
+};
+
+// --- arming
+// --------------------------------------------------------------------------------------------------
+
+TEST(ForceGate, gives_nothing_to_a_command_that_was_never_quiet) {
+  Driven d;
+  for (int i = 0; i < 3000; ++i) ASSERT_EQ(d.ask(1.0), 0.0);
+  EXPECT_EQ(d.gate.state(), GateState::disarmed);
+  EXPECT_EQ(d.gate.interventions().disarmed, 3000);
+}
+
+TEST(ForceGate, arms_after_four_quiet_ticks_in_a_row) {
+  Driven three;
+  for (int i = 0; i < 50; ++i) {
+    three.ask_for(3, 0.199);
+    three.ask(0.201);
+  }
+  EXPECT_EQ(three.gate.state(), GateState::disarmed);
+  Driven four;
+  four.ask_for(3, 0.199);
+  EXPECT_EQ(four.gate.state(), GateState::disarmed);
+  four.ask(0.199);
+  EXPECT_EQ(four.gate.state(), GateState::ramping);
+}
+
+TEST(ForceGate, is_quiet_only_below_a_fifth_of_a_newton) {
+  Driven at_the_limit, under_it;
+  at_the_limit.ask_for(100, 0.2);
+  under_it.ask_for(100, std::nextafter(0.2, 0.0));
+  EXPECT_EQ(at_the_limit.gate.state(), GateState::disarmed);
+  EXPECT_EQ(under_it.gate.state(), GateState::ramping);
+}
+
+TEST(ForceGate, ramps_evenly_over_half_a_second) {
+  Driven d;
+  d.ask_for(4, 0.0);
+  for (int i = 1; i <= 500; ++i) {
+    ASSERT_NEAR(d.ask(1.0), i / 500.0, 1e-9);
+    if (i < 500) {
+      ASSERT_EQ(d.gate.state(), GateState::ramping) << i;
+    }
+  }
+  d.ask(1.0);  // the last bit of the share
+  EXPECT_EQ(d.gate.state(), GateState::armed);
+  EXPECT_EQ(d.ask(1.0), 1.0);
+}
+
+TEST(ForceGate, does_not_count_ticks_as_quiet_while_something_is_wrong) {
+  Driven fast, old, hot({8.5, 0.0, 0.0});
+  for (int i = 0; i < 100; ++i) {
+    fast.ask(0.0, 0.0, 1.3);
+    old.ask(0.0, 0.021);
+    old.ask(0.0), old.ask(0.0), old.ask(0.0);
+  }
+  EXPECT_EQ(fast.gate.state(), GateState::disarmed);
+  EXPECT_EQ(old.gate.state(), GateState::disarmed);
+  // A hand that moves fast, or a simulation that is not there yet, is no fault before any force is on.
+  EXPECT_EQ(fast.gate.fault(), GateFault::none);
+  fast.armed();
+}
+
+// --- slew and peak
+// -------------------------------------------------------------------------------------------
+
+TEST(ForceGate, rises_by_half_a_newton_and_falls_by_a_whole_one_per_millisecond) {
+  Driven d;
+  d.armed();
+  for (double expected : {0.5, 1.0, 1.5, 2.0, 2.5, 2.75}) ASSERT_DOUBLE_EQ(d.ask(2.75), expected);
+  for (double expected : {1.75, 0.75, 0.0}) ASSERT_DOUBLE_EQ(d.ask(0.0), expected);
+  EXPECT_EQ(d.gate.interventions().slew, 7);
+}
+
+TEST(ForceGate, lets_the_drop_of_a_puncture_through_within_two_ticks) {
+  Driven d;
+  d.at(1.0);
+  EXPECT_DOUBLE_EQ(d.ask(0.3), 0.3);
+}
+
+TEST(ForceGate, turns_a_force_around_by_the_same_slew) {
+  Driven d;
+  d.at(2.0);
+  Triple last = x(2.0);
+  for (int i = 0; i < 20; ++i) {
+    const Triple now = d.ask({-1.0, 1.5, 0.0});
+    ASSERT_LE(std::hypot(now[0] - last[0], now[1] - last[1]), 1.0 + 1e-12);
+    last = now;
+  }
+  EXPECT_EQ(last, (Triple{-1.0, 1.5, 0.0}));
+}
+
+TEST(ForceGate, gives_a_late_tick_no_more_than_a_millisecond_and_an_early_one_its_part) {
+  Driven d;
+  d.armed();
+  EXPECT_DOUBLE_EQ(d.gate.pass({x(5.0), {}, {}, 0.0, 5e-3}).force[0], 0.5);
+  EXPECT_DOUBLE_EQ(d.gate.pass({x(5.0), {}, {}, 0.0, 0.25e-3}).force[0], 0.625);
+  EXPECT_DOUBLE_EQ(d.gate.pass({x(5.0), {}, {}, 0.0, 0.0}).force[0], 0.625);
+  EXPECT_DOUBLE_EQ(d.gate.pass({x(5.0), {}, {}, 0.0, -1.0}).force[0], 0.625);
+}
+
+TEST(ForceGate, clamps_the_norm_and_keeps_the_direction) {
+  Driven d({2.0, 2.0, 0.0});
+  d.armed();
+  Triple last{};
+  for (int i = 0; i < 50; ++i) last = d.ask({30.0, -40.0, 0.0});
+  EXPECT_NEAR(last[0], 1.2, 1e-12);
+  EXPECT_NEAR(last[1], -1.6, 1e-12);
+  EXPECT_LE(norm(last), 2.0 + 1e-15);
+  EXPECT_EQ(d.gate.interventions().peak, 50);
+}
+
+TEST(ForceGate, gives_nothing_where_a_limit_is_no_limit) {
+  for (double bad : {0.0, -1.0, nan, infinity}) {
+    Driven d({bad, 1.0, 1.0});
+    for (int i = 0; i < 700; ++i) ASSERT_EQ(d.ask(i < 10 ? 0.0 : 1.0), 0.0) << bad;
+  }
+}
+
+// --- torque
+// --------------------------------------------------------------------------------------------------
+
+TEST(ForceGate, treats_torques_like_forces_in_proportion_to_their_peak) {
+  ForceGate gate({5.0, 5.0, 0.5});  // a newton is 0.1 N m
+  const auto ask = [&](double torque) { return gate.pass({{}, x(torque), {}, 0.0, 1e-3}).torque[0]; };
+  for (int i = 0; i < 50; ++i) EXPECT_EQ(ask(0.021), 0.0);  // not quiet
+  for (int i = 0; i < 600; ++i) ask(0.0);
+  for (double expected : {0.05, 0.1, 0.15}) EXPECT_NEAR(ask(3.0), expected, 1e-15);
+  for (int i = 0; i < 20; ++i) ask(3.0);
+  EXPECT_DOUBLE_EQ(ask(3.0), 0.5);
+  EXPECT_NEAR(ask(0.0), 0.4, 1e-15);
+}
+
+TEST(ForceGate, gives_no_torque_to_a_device_that_shows_none) {
+  ForceGate gate({5.0, 5.0, 0.0});
+  for (int i = 0; i < 1000; ++i)
+    ASSERT_EQ(gate.pass({{}, x(i < 10 ? 0.0 : 0.1), {}, 0.0, 1e-3}).torque[0], 0.0);
+  EXPECT_EQ(gate.state(), GateState::armed);
+}
+
+// --- faults
+// --------------------------------------------------------------------------------------------------
+
+TEST(ForceGate, turns_off_for_a_number_that_is_none_wherever_it_stands) {
+  for (double bad : {nan, infinity, -infinity})
+    for (int where = 0; where < 11; ++where) {
+      Driven d;
+      d.at(2.5);
+      GateCommand command{x(2.5), {}, {}, 0.0, 1e-3};
+      (where < 3    ? command.force[where]
+       : where < 6  ? command.torque[where - 3]
+       : where < 9  ? command.velocity[where - 6]
+       : where < 10 ? command.age
+                    : command.elapsed) = bad;
+      EXPECT_DOUBLE_EQ(d.gate.pass(command).force[0], 1.5) << where;
+      EXPECT_EQ(d.gate.fault(), GateFault::not_finite);
+      EXPECT_DOUBLE_EQ(d.ask(2.5), 0.5);  // latched, although all is well again
+      EXPECT_DOUBLE_EQ(d.ask(2.5), 0.0);
+      for (int i = 0; i < 1000; ++i) ASSERT_EQ(d.ask(0.1), 0.0);
+      EXPECT_EQ(d.gate.interventions().faults[1], 1);
+    }
+}
+
+TEST(ForceGate, latches_a_number_that_is_none_before_any_force_is_on) {
+  Driven d;
+  d.ask(nan);
+  for (int i = 0; i < 1000; ++i) ASSERT_EQ(d.ask(0.1), 0.0);
+  EXPECT_EQ(d.gate.fault(), GateFault::not_finite);
+}
+
+TEST(ForceGate, comes_back_after_a_fault_only_when_rearmed_and_as_at_the_start) {
+  Driven d;
+  d.at(1.0);
+  d.ask(nan);
+  d.gate.rearm();
+  EXPECT_EQ(d.gate.fault(), GateFault::none);
+  for (int i = 0; i < 100; ++i) ASSERT_EQ(d.ask(1.0), 0.0);
+  d.ask_for(3, 0.1);
+  EXPECT_EQ(d.gate.state(), GateState::disarmed);  // the quiet ticks of before do not count
+  d.ask(0.1);
+  EXPECT_NEAR(d.ask(1.0), 1.0 / 500.0, 1e-12);
+}
+
+TEST(ForceGate, rearming_without_a_fault_changes_nothing) {
+  Driven d;
+  d.at(1.0);
+  d.gate.rearm();
+  EXPECT_EQ(d.ask(1.0), 1.0);
+}
+
+TEST(ForceGate, follows_a_command_up_to_the_age_of_20_ms_and_holds_and_damps_an_older_one) {
+  Driven d;
+  d.at(1.0);
+  EXPECT_DOUBLE_EQ(d.ask(1.1, 0.020), 1.1);
+  EXPECT_DOUBLE_EQ(d.ask(1.5, 0.0201), 1.1);                   // held
+  EXPECT_DOUBLE_EQ(d.ask(1.5, 0.050, 0.3), 1.1 - 0.3);         // 1 N s/m against the motion
+  EXPECT_DOUBLE_EQ(d.ask(1.5, 0.050, -0.3), 1.1 + 0.3 - 0.1);  // rising by no more than 0.5 N
+  EXPECT_EQ(d.gate.interventions().held, 3);
+  EXPECT_EQ(d.gate.fault(), GateFault::none);
+  EXPECT_DOUBLE_EQ(d.ask(1.2), 1.2);  // and goes on when the simulation does
+}
+
+TEST(ForceGate, is_at_zero_before_the_command_is_100_ms_old_and_stays_there) {
+  for (double force : {0.3, 1.0, 3.3, 8.5}) {
+    Driven d({8.5, 8.5, 0.0});
+    d.at(force);
+    double last = force;
+    for (int ms = 1; ms < 100; ++ms) {
+      const double now = d.ask(force, ms * 1e-3);
+      if (ms <= 50) {
+        ASSERT_EQ(now, force) << ms;
+      }
+      ASSERT_LE(now, last);
+      ASSERT_GE(now, last - 0.25) << "a ramp, not a drop";
+      last = now;
+    }
+    EXPECT_EQ(last, 0.0);
+    EXPECT_EQ(d.gate.fault(), GateFault::stale);
+    for (int i = 0; i < 1000; ++i) ASSERT_EQ(d.ask(0.1), 0.0);
+  }
+}
+
+// A loop that is itself late must reach zero in time all the same.
+TEST(ForceGate, ramps_down_by_the_clock_when_ticks_are_late) {
+  Driven d;
+  d.at(1.0);
+  double last = 1.0;
+  for (int ms = 55; ms < 105; ms += 5) last = d.gate.pass({x(1.0), {}, {}, ms * 1e-3, 5e-3}).force[0];
+  EXPECT_EQ(last, 0.0);
+}
+
+TEST(ForceGate, turns_off_when_the_handle_is_faster_than_1200_mm_per_second) {
+  Driven d;
+  d.at(2.5);
+  EXPECT_DOUBLE_EQ(d.ask(2.5, 0.0, 1.2), 2.5);
+  EXPECT_DOUBLE_EQ(d.ask(2.5, 0.0, 1.2001), 1.5);
+  EXPECT_EQ(d.gate.fault(), GateFault::over_speed);
+  d.ask_for(2, 2.5);
+  EXPECT_EQ(d.ask(2.5), 0.0);
+}
+
+TEST(ForceGate, measures_speed_in_all_directions) {
+  Driven d;
+  d.at(1.0);
+  d.ask(x(1.0), 0.0, {0.7, 0.7, 0.7});
+  EXPECT_EQ(d.gate.fault(), GateFault::over_speed);
+}
+
+// 10 N s in 10 s may be spent; 1.5 N has spent them after 6.67 s.
+TEST(ForceGate, ramps_down_over_a_second_when_the_mean_of_ten_seconds_is_too_high) {
+  Driven d({8.5, 1.0, 0.0});
+  d.armed();
+  int ticks = 0;
+  while (d.gate.fault() == GateFault::none && ticks < 20000) d.ask(1.5), ++ticks;
+  EXPECT_EQ(d.gate.fault(), GateFault::overheated);
+  EXPECT_NEAR(ticks, 10.0 / 1.5 * 1000, 5);
+  EXPECT_NEAR(d.ask_for(499, 1.5), 0.75, 1e-9);  // half of the second has gone
+  EXPECT_NEAR(d.ask_for(499, 1.5), 1.5e-3, 1e-9);
+  EXPECT_NEAR(d.ask(1.5), 0.0, 1e-12);
+  for (int i = 0; i < 12000; ++i) ASSERT_LT(d.ask(0.1), 1e-12);  // latched, cool as it is now
+}
+
+TEST(ForceGate, stands_what_the_device_may_show_for_ever) {
+  Driven steady({8.5, 1.0, 0.0}), pulsed({8.5, 1.0, 0.0});
+  steady.armed();
+  pulsed.armed();
+  for (int i = 0; i < 60000; ++i) {
+    ASSERT_NEAR(steady.ask(0.99), 0.99, 0.5) << i;
+    pulsed.ask(i % 4000 < 1000 ? 3.0 : 0.0);
+    ASSERT_EQ(pulsed.gate.fault(), GateFault::none) << i;
+  }
+  EXPECT_EQ(steady.gate.fault(), GateFault::none);
+}
+
+TEST(ForceGate, forgets_what_was_more_than_ten_seconds_ago) {
+  Driven d({8.5, 1.0, 0.0});
+  d.armed();
+  d.ask_for(6000, 1.5);  // 9 N s
+  d.ask_for(4000, 0.0);
+  d.ask_for(500, 1.5);  // the first second of them has left the window meanwhile
+  EXPECT_EQ(d.gate.fault(), GateFault::none);
+  d.ask_for(9000, 0.0);
+  d.ask_for(6000, 1.5);
+  EXPECT_EQ(d.gate.fault(), GateFault::none);
+}
+
+TEST(ForceGate, stays_off_while_it_is_still_too_hot) {
+  Driven d({8.5, 1.0, 0.0});
+  d.armed();
+  while (d.gate.fault() == GateFault::none) d.ask(3.0);
+  d.ask_for(1100, 0.0);
+  d.gate.rearm();
+  d.ask_for(1000, 0.0);
+  EXPECT_EQ(d.gate.state(), GateState::disarmed);
+  d.ask_for(9000, 0.0);
+  EXPECT_EQ(d.gate.state(), GateState::armed);
+}
+
+TEST(ForceGate, follows_the_faster_of_two_faults_and_tells_the_first) {
+  Driven d({8.5, 1.0, 0.0});
+  d.armed();
+  while (d.gate.fault() == GateFault::none) d.ask(1.5);
+  d.ask(1.5, 0.0, 1.3);
+  d.ask(1.5);
+  EXPECT_EQ(d.ask(1.5), 0.0);
+  EXPECT_EQ(d.gate.fault(), GateFault::overheated);
+  EXPECT_EQ(d.ask(1.5, 0.06), 0.0);  // a slower one does not bring it back
+  EXPECT_EQ(d.ask(1.5), 0.0);
+}
+
+// --- whatever comes
+// --------------------------------------------------------------------------------------------
+
+TEST(ForceGate, a_million_ticks_of_anything_give_finite_bounded_slow_forces) {
+#ifdef __SANITIZE_ADDRESS__
+  constexpr int ticks = 100'000;
+#else
+  constexpr int ticks = 1'000'000;
+#endif
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  std::normal_distribution<double> normal;
+  const double oddities[] = {nan,   infinity, -infinity, 1e300, -1e300, std::numeric_limits<double>::max(),
+                             5e-324};
+  Driven d({3.3, 0.88, 0.1});
+  GateOutput last;
+  long on = 0;
+  for (int i = 0; i < ticks; ++i) {
+    GateCommand command{{normal(random), normal(random), normal(random)}, {}, {}, 0.0, 1e-3};
+    command.torque = {0.1 * normal(random), 0.0, 0.0};
+    command.elapsed = unit(random) < 0.1 ? 5e-3 * unit(random) : 1e-3;
+    if (i % 2000 < 600) command.force = command.torque = {};
+    if (unit(random) < 0.001) {
+      double* fields[] = {&command.force[0], &command.torque[1], &command.velocity[2], &command.age,
+                          &command.elapsed};
+      *fields[i % 5] = oddities[static_cast<std::size_t>(unit(random) * 7.0)];
+    }
+    if (d.gate.fault() != GateFault::none && unit(random) < 0.01) d.gate.rearm();
+    const GateOutput now = d.gate.pass(command);
+    for (int k = 0; k < 3; ++k) ASSERT_TRUE(std::isfinite(now.force[k]) && std::isfinite(now.torque[k])) << i;
+    ASSERT_LE(norm(now.force), 3.3 * (1.0 + 1e-15)) << i;
+    ASSERT_LE(norm(now.torque), 0.1 * (1.0 + 1e-15)) << i;
+    const double change =
+        norm({now.force[0] - last.force[0], now.force[1] - last.force[1], now.force[2] - last.force[2]});
+    ASSERT_LE(change, (norm(now.force) > norm(last.force) ? 0.5 : 1.0) + 1e-12) << i;
+    on += norm(now.force) > 0.1;
+    last = now;
+  }
+  EXPECT_GT(on, ticks / 20);  // it was not just off
+}
+
+}  // namespace
+}  // namespace acus::haptics

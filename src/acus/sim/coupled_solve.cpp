@@ -50,13 +50,14 @@ auto preconditioner(const Model& m, Scratch& w) {
 }
 
 // Single precision will do for y, which carries small corrections only; what it leaves a pass checks.
-numeric::CgOutcome solve_influence(const Model& m, State& s, Scratch& w, double tolerance) {
+numeric::CgOutcome solve_influence(numeric::NodeVectorOf<float>& y, const Model& m, Scratch& w,
+                                   double tolerance) {
   const double norm = std::sqrt(numeric::dot(w.stick_load, w.stick_load));
   if (norm == 0.0) {  // everything slips: the tissue does not feel the needle's rate
-    std::fill(s.influence.begin(), s.influence.end(), 0.0F);
+    std::fill(y.begin(), y.end(), 0.0F);
     return {};
   }
-  return numeric::solve_into(s.influence, w.stick_load, tolerance * norm, max_iterations, w.solver.single,
+  return numeric::solve_into(y, w.stick_load, tolerance * norm, max_iterations, w.solver.single,
                              Product{m, w}, preconditioner(m, w));
 }
 
@@ -176,12 +177,26 @@ Scratch build_scratch(const Model& m) {
   for (NodeVector* v : {&w.product, &w.momentum, &w.right_hand_side, &w.velocity_before, &w.velocity_tried})
     v->assign(size, 0.0);
   w.stick_load.assign(size, 0.0F);
+  w.answer.assign(size, 0.0F);
   w.held.reserve(static_cast<std::size_t>(m.channel.cells()) + 1);
   return w;
 }
 
 double tissue_rate(const Model& m, const State& s, const HeldPoint& point) {
   return coupling::along(*point.at, s.velocity, m.path.direction);
+}
+
+double resistance(const Model& m, Scratch& w) {
+  constexpr double tolerance = 1e-3;  // of y; what it leaves of the residual is put right below
+  const numeric::CgOutcome outcome = solve_influence(w.answer, m, w, tolerance);
+  if (outcome.broke_down || outcome.iterations >= max_iterations) return 0.0;
+  // sum_j rate_j h (1 - W_j y), with b . y + r . y for b . y, whose error is of second order in that of y.
+  const double h = m.scene.run.time_step;
+  double all_stick = 0.0;
+  for (const HeldPoint& p : w.held) all_stick += coupling::force_on(p.slider, p.grip).rate * h;
+  const double followed =
+      numeric::dot(w.stick_load, w.answer) + numeric::dot(w.solver.single.residual, w.answer);
+  return std::max(all_stick - followed / h, 0.0);
 }
 
 CoupledOutcome solve_coupled(const Model& m, State& s, Scratch& w, double hub_travel, double free_length,
@@ -197,13 +212,13 @@ CoupledOutcome solve_coupled(const Model& m, State& s, Scratch& w, double hub_tr
     const double target = m.scene.run.solver_tolerance * norm;
     const numeric::CgOutcome solve = numeric::solve_refined_into(
         s.velocity, w.right_hand_side, target, max_iterations, w.solver, Product{m, w}, preconditioner(m, w));
-    numeric::CgOutcome answer = solve_influence(m, s, w, influence_tolerance);
+    numeric::CgOutcome answer = solve_influence(s.influence, m, w, influence_tolerance);
     outcome.iterations += solve.iterations + answer.iterations;
     Reaction reaction = gather_reaction(m, s, w, rate);
     // The tissue never follows faster than the needle goes: a y that says so is too rough.
     while (reaction.rate < 0.0 && !answer.broke_down && influence_tolerance > finest_influence) {
       influence_tolerance = std::max(1e-2 * influence_tolerance, finest_influence);
-      answer = solve_influence(m, s, w, influence_tolerance);
+      answer = solve_influence(s.influence, m, w, influence_tolerance);
       outcome.iterations += answer.iterations;
       reaction = gather_reaction(m, s, w, rate);
     }

@@ -38,6 +38,7 @@ struct Scratch {
   numeric::NodeVectorOf<float> stick_load;  // answer wanted for a unit rate of the needle
   numeric::NodeVector velocity_before;      // at the start of the step
   numeric::NodeVector velocity_tried;       // at the start of a line search
+  numeric::NodeVectorOf<float> answer;      // as state.influence, for resistance()
   std::vector<HeldPoint> held;              // the tip first
 };
 Scratch build_scratch(const Model& model);
@@ -51,6 +52,11 @@ struct CoupledOutcome {
 // held points; the hub ends the step at `hub_travel`.
 CoupledOutcome solve_coupled(const Model& model, State& state, Scratch& scratch, double hub_travel,
                              double free_length, double configurational_force);
+
+// How the force of tissue and sliders on the needle would have grown with its rate in the step that was
+// solved last. N s/m, at least 0. Takes some iterations of its own and leaves the state alone; 0 when they do
+// not end.
+double resistance(const Model& model, Scratch& scratch);
 
 // Tissue's velocity along the axis at a held point.
 double tissue_rate(const Model& model, const State& state, const HeldPoint& point);

@@ -52,6 +52,19 @@ const Frame& Simulation::step(double hand_travel) {
   return p.frame;
 }
 
+double Simulation::hand_stiffness() {
+  Parts& p = *parts_;
+  if (p.state.steps == 0 || p.frame.health != Health::good) return 0.0;
+  const NeedlePlace place = place_needle(p.model, p.state);
+  const double column =
+      needle::column_response(p.model.column, place.free_length, place.shortening).stiffness;
+  if (p.model.rigid()) return column;
+  // The column in series with what it pushes: P(X - z - h w) = constant + resistance w.
+  const double against = resistance(p.model, p.scratch);
+  const double both = against + p.model.scene.run.time_step * column;
+  return both > 0.0 ? column * against / both : 0.0;
+}
+
 void Simulation::set_probe(const StepProbe& probe) { parts_->probe = probe; }
 
 const Scene& Simulation::scene() const { return parts_->model.scene; }

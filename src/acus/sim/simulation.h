@@ -22,6 +22,11 @@ class Simulation {
   // Advances one time step; the hub ends it at `hand_travel` [m]. Allocates nothing.
   const Frame& step(double hand_travel);
 
+  // How hand_force of the last step would have changed with the hub's travel, N/m: the tangent over one time
+  // step, inertia and damping of the tissue included. 0 before the first step. Costs iterations; allocates
+  // nothing and leaves the state alone.
+  double hand_stiffness();
+
   // Tells `probe` when each part of a step is done; for benchmarks.
   void set_probe(const StepProbe& probe);
 

@@ -134,6 +134,8 @@ TEST(ForceGate, turns_a_force_around_by_the_same_slew) {
     last = now;
   }
   EXPECT_EQ(last, (Triple{-1.0, 1.5, 0.0}));
+  d.at(2.0);
+  EXPECT_NEAR(d.ask({0.0, 2.0, 0.0})[1], std::sqrt(0.5), 1e-12);  // no larger than it was: not a rise
 }
 
 TEST(ForceGate, gives_a_late_tick_no_more_than_a_millisecond_and_an_early_one_its_part) {
@@ -220,11 +222,51 @@ TEST(ForceGate, comes_back_after_a_fault_only_when_rearmed_and_as_at_the_start) 
   d.ask(nan);
   d.gate.rearm();
   EXPECT_EQ(d.gate.fault(), GateFault::none);
+  EXPECT_EQ(d.gate.state(), GateState::disarmed);
   for (int i = 0; i < 100; ++i) ASSERT_EQ(d.ask(1.0), 0.0);
   d.ask_for(3, 0.1);
-  EXPECT_EQ(d.gate.state(), GateState::disarmed);  // the quiet ticks of before do not count
+  EXPECT_EQ(d.gate.state(), GateState::disarmed);
   d.ask(0.1);
   EXPECT_NEAR(d.ask(1.0), 1.0 / 500.0, 1e-12);
+}
+
+// A fault in the midst of the quiet ticks, in the midst of the ramp, and while it still fades.
+TEST(ForceGate, begins_from_nothing_whenever_it_is_rearmed) {
+  Driven counting, ramping, fading({8.5, 1.0, 0.0});
+  counting.ask_for(3, 0.0);
+  counting.ask(nan);
+  counting.gate.rearm();
+  counting.ask_for(3, 0.0);
+  EXPECT_EQ(counting.gate.state(), GateState::disarmed);  // the quiet ticks of before do not count
+  ramping.ask_for(250, 0.0);
+  ramping.ask(0.1, 0.06);
+  EXPECT_EQ(ramping.gate.state(), GateState::disarmed);
+  EXPECT_EQ(ramping.gate.fault(), GateFault::stale);
+  ramping.gate.rearm();
+  ramping.ask_for(4, 0.0);
+  EXPECT_NEAR(ramping.ask(0.1), 0.1 / 500.0, 1e-12);
+  fading.armed();
+  while (fading.gate.fault() == GateFault::none) fading.ask(1.5);
+  fading.ask_for(100, 1.5);
+  fading.gate.rearm();
+  for (double expected : {0.3485, 0.0}) EXPECT_NEAR(fading.ask(1.5), expected, 1e-9);  // falls by 1 N
+}
+
+// Held commands are no command to count on: quiet ticks must follow one another.
+TEST(ForceGate, counts_its_quiet_ticks_anew_after_an_old_command) {
+  Driven d;
+  d.ask_for(3, 0.0);
+  d.ask(0.0, 0.03);
+  d.ask_for(3, 0.0);
+  EXPECT_EQ(d.gate.state(), GateState::disarmed);
+}
+
+TEST(ForceGate, counts_the_ticks_of_its_ramp_as_held_back) {
+  Driven d;
+  d.armed();
+  EXPECT_NEAR(d.gate.interventions().disarmed, 504, 1);
+  d.ask_for(100, 1.0);
+  EXPECT_NEAR(d.gate.interventions().disarmed, 504, 1);
 }
 
 TEST(ForceGate, rearming_without_a_fault_changes_nothing) {
@@ -328,6 +370,16 @@ TEST(ForceGate, forgets_what_was_more_than_ten_seconds_ago) {
   d.ask_for(9000, 0.0);
   d.ask_for(6000, 1.5);
   EXPECT_EQ(d.gate.fault(), GateFault::none);
+}
+
+// The windows are used again and again: what they held before must be gone.
+TEST(ForceGate, still_counts_after_many_times_ten_seconds) {
+  Driven d({8.5, 1.0, 0.0});
+  d.armed();
+  d.ask_for(45000, 0.9);
+  int ticks = 0;
+  while (d.gate.fault() == GateFault::none && ticks < 20000) d.ask(1.9), ++ticks;
+  EXPECT_NEAR(ticks, 1000, 110);  // each tick adds 1 mN s to the 9 N s that are there
 }
 
 TEST(ForceGate, stays_off_while_it_is_still_too_hot) {

@@ -15,7 +15,8 @@ SWAPS = [
     (r"==", "!="), (r"!=", "=="), (r"&&", "||"), (r"\|\|", "&&"), (r" \+ ", " - "), (r" - ", " + "),
     (r" \* ", " / "), (r" / ", " * "), (r"\+=", "-="), (r"-=", "+="), (r"\+\+", "--"),
     (r"std::min\(", "std::max("), (r"std::max\(", "std::min("),
-    (r"(?<![\w.])(\d+(?:\.\d+)?(?:e-?\d+)?)(?![\w.])", lambda m: m.group(1) + " * 1.5 + 0.001"),
+    (r"(?<![\w.])(\d+\.\d+|\d+e-?\d+|\d+\.\d+e-?\d+)(?![\w.])", lambda m: m.group(1) + " * 1.5 + 0.001"),
+    (r"(?<![\w.])(\d+)(?![\w.])", lambda m: m.group(1) + " + 1"),
 ]
 STATEMENT = re.compile(r"^(\s+)([^/#{}]*;)(\s*//.*)?$")
 DECLARATION = re.compile(r"^\s+(const|constexpr|using|double|GateOutput|return)\b")

@@ -91,7 +91,6 @@ GateOutput ForceGate::pass(const GateCommand& command) noexcept {
 void ForceGate::rearm() noexcept {
   if (fault_ == GateFault::none) return;
   fault_ = GateFault::none;
-  state_ = GateState::disarmed;
   quiet_ticks_ = 0;
   share_ = 0.0;
   held_ = {};

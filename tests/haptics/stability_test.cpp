@@ -1,0 +1,58 @@
+// A spring rendered through a sampled loop: the simulated device loses stability where theory says, so that
+// what it says of other loops can be believed.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "acus/haptics/handle.h"
+
+namespace acus::haptics {
+namespace {
+
+// --- a spring rendered through a sampled loop
+// ------------------------------------------------------------------
+
+// How a swing in a virtual spring K changes over a long time: above 1 it grows. The handle alone, no hand, no
+// dry friction, no quanta: the linear system of the theory.
+double growth(double K, double b, double T, double delay) {
+  DeviceLimits limits;
+  limits.mass = 0.045;
+  limits.viscous = b;
+  limits.delay = delay;
+  Handle handle(limits, no_hand, {1e-3, 0.0, 0.0});
+  constexpr double duration = 40.0;  // s
+  double early = 0.0, late = 0.0;
+  const auto ticks = static_cast<long>(duration / T);
+  for (long i = 0; i < ticks; ++i) {
+    handle.command(-K * handle.position());
+    handle.advance_to(static_cast<double>(i + 1) * T, {});
+    const double energy =
+        0.5 * 0.045 * handle.velocity().squaredNorm() + 0.5 * K * handle.position().squaredNorm();
+    if (i > ticks / 8 && i < ticks / 4) early = std::max(early, energy);
+    if (i > ticks * 7 / 8) late = std::max(late, energy);
+    if (energy > 1e3) return 1e9;
+  }
+  return late / early;
+}
+
+// K_max = b / (T/2 + t_d): Gil, Sanchez, Hulin et al. (2009), "Stability boundary for haptic rendering:
+// influence of damping and delay"; 200 N/m for b = 0.1 N s/m, T = 1 ms and no delay.
+TEST(Handle, loses_stability_where_the_theory_of_sampled_springs_says) {
+  for (double b : {0.05, 0.1})
+    for (double delay : {0.0, 0.5e-3, 1e-3, 2e-3, 5e-3}) {
+      constexpr double T = 1e-3;
+      const double theory = b / (T / 2.0 + delay);
+      SCOPED_TRACE(testing::Message() << "b " << b << " delay " << delay);
+      double stable = 0.9 * theory, unstable = 1.2 * theory;
+      ASSERT_LT(growth(stable, b, T, delay), 1.0);
+      ASSERT_GT(growth(unstable, b, T, delay), 1.0);
+      while (unstable - stable > 0.01 * theory) {
+        const double K = 0.5 * (stable + unstable);
+        (growth(K, b, T, delay) > 1.0 ? unstable : stable) = K;
+      }
+      EXPECT_NEAR(0.5 * (stable + unstable), theory, 0.02 * theory);
+    }
+}
+
+}  // namespace
+}  // namespace acus::haptics

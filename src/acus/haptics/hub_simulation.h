@@ -1,0 +1,28 @@
+// The simulation as the haptic loop sees it: told where the hub is, it answers with a local force.
+#pragma once
+
+#include <cstddef>
+
+#include "acus/haptics/local_force.h"
+#include "acus/sim/simulation.h"
+
+namespace acus::haptics {
+
+class HubSimulation {
+ public:
+  // `simulation` must outlive this.
+  explicit HubSimulation(Simulation& simulation) : simulation_(simulation) {}
+
+  // Advances one time step to `hub_travel` [m]; what it then says, as of `now` [s] of the loop's clock. After
+  // a step that failed it says nothing new, so that the gate sees its word grow old. Allocates nothing.
+  LocalForce step(double hub_travel, double now);
+
+  const Simulation& simulation() const { return simulation_; }
+
+ private:
+  Simulation& simulation_;
+  LocalForce last_;
+  std::size_t events_ = 0;  // that were known
+};
+
+}  // namespace acus::haptics

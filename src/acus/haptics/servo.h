@@ -1,0 +1,49 @@
+// One tick of the haptic loop, whole: from where the device is to what it shows, and where the hub is meant
+// to be. No thread and no clock: the same code runs under a driver's callback, in a paced loop, and in the
+// virtual time of the proofs.
+#pragma once
+
+#include "acus/haptics/device.h"
+#include "acus/haptics/force_gate.h"
+#include "acus/haptics/virtual_coupling.h"
+
+namespace acus::haptics {
+
+struct ServoSettings {
+  DeviceLimits limits;
+  double force_limit = 0.0;   // N, the person's own; 0: the device's
+  double start_travel = 0.0;  // m, of the hub where the device is when it first becomes ready
+  double period = 1e-3;       // s, of a tick
+};
+
+class Servo {
+ public:
+  explicit Servo(const ServoSettings& settings);
+
+  // What the device shall show, in its own frame. `local` is the newest word of the simulation; its age is
+  // counted on the device's clock. Allocates nothing.
+  Wrench tick(const DeviceState& device, const LocalForce& local) noexcept;
+
+  // Where the hub is meant to be after the last tick, for the simulation. m
+  double hub_travel() const { return hub_travel_; }
+  const VirtualCoupling& coupling() const { return coupling_; }
+  const ForceGate& gate() const { return gate_; }
+  void rearm() noexcept { gate_.rearm(); }
+
+ private:
+  LocalForce blended(const LocalForce& local, double now) noexcept;
+
+  VirtualCoupling coupling_;
+  ForceGate gate_;
+  Vec3 forward_;
+  double start_travel_;
+  double hub_travel_;
+  bool placed_ = false;  // the device has been ready once
+  Vec3 origin_ = Vec3::Zero();
+  double last_tick_ = 0.0;  // s
+  LocalForce known_;        // what was last blended in
+  double offset_ = 0.0;     // N, from the known force to the one that was shown when it came
+  double blend_from_ = 0.0, blend_time_ = 0.0;  // s
+};
+
+}  // namespace acus::haptics

@@ -1,0 +1,181 @@
+// One tick of the loop: what the coupling balances, how a slow simulation is felt, and what a broken one
+// does.
+#include "acus/haptics/servo.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace acus::haptics {
+namespace {
+
+DeviceLimits touch() { return *find_device_limits("touch"); }
+
+// A servo that has been armed by a quiet simulation, device at rest.
+class Armed {
+ public:
+  explicit Armed(const DeviceLimits& limits = touch())
+      : servo({limits, 0.0, -1e-3, 1e-3}), forward_(limits.forward) {
+    for (int i = 0; i < 600; ++i) tick(0.0, fresh(-1e-3, 0.0, 0.0));
+    EXPECT_EQ(servo.gate().state(), GateState::armed);
+  }
+  LocalForce fresh(double travel, double force, double stiffness, bool jumped = false) const {
+    return {time_, travel, force, stiffness, 10e-3, jumped};
+  }
+  // Force along the needle that the device shows `way` [m] ahead of its start, positive against the hand. N
+  double tick(double way, const LocalForce& local, const Vec3& across = Vec3::Zero()) {
+    DeviceState state;
+    state.time = time_;
+    state.position = Vec3(0.03, -0.01, 0.02) + way * forward_ + across;
+    state.ready = true;
+    time_ += 1e-3;
+    last = servo.tick(state, local).force;
+    return -forward_.dot(last);
+  }
+
+  Servo servo;
+  Vec3 last = Vec3::Zero();
+
+ private:
+  Vec3 forward_;
+  double time_ = 0.0;
+};
+
+// --- coupling
+// --------------------------------------------------------------------------------------------------
+
+TEST(VirtualCoupling, is_half_as_stiff_as_sampling_and_delay_allow) {
+  DeviceLimits limits = touch();
+  limits.stiffness = 1e9;
+  for (double delay : {0.0, 1e-3, 5e-3}) {
+    limits.delay = delay;
+    const VirtualCoupling coupling = coupling_for(limits, 1e-3);
+    EXPECT_NEAR(coupling.stiffness, 0.5 * (limits.viscous + coupling.damping) / (0.5e-3 + delay), 1e-9);
+  }
+  limits.stiffness = 30.0;
+  EXPECT_EQ(coupling_for(limits, 1e-3).stiffness, 30.0);  // what its maker allows
+}
+
+TEST(VirtualCoupling, stands_in_series_with_the_needle) {
+  const VirtualCoupling coupling{400.0, 0.0};
+  const LocalForce needle{0.0, 2e-3, 0.5, 100.0, 1.0, false};
+  for (double device : {0.0, 2e-3, 10e-3}) {
+    const double hub = balanced_hub(coupling, needle, device);
+    EXPECT_NEAR(400.0 * (device - hub), force_at(needle, hub), 1e-12);
+  }
+  // A steel needle against a wall is some 300 kN/m: the device still feels the coupling alone.
+  const LocalForce steel{0.0, 0.0, 0.0, 3e5, 1.0, false};
+  EXPECT_NEAR(400.0 * (1e-3 - balanced_hub(coupling, steel, 1e-3)), 0.4, 1e-3);
+}
+
+TEST(VirtualCoupling, keeps_the_hub_within_what_the_simulation_knows) {
+  const LocalForce free{0.0, 0.0, 0.0, 0.0, 1e-3, false};
+  EXPECT_EQ(balanced_hub({400.0, 0.0}, free, 50e-3), 1e-3);
+  EXPECT_EQ(balanced_hub({400.0, 0.0}, free, -50e-3), -1e-3);
+}
+
+TEST(VirtualCoupling, has_one_balance_with_a_needle_that_gives_way) {
+  const LocalForce falling{0.0, 0.0, 1.0, -500.0, 1.0, false};
+  EXPECT_NEAR(balanced_hub({400.0, 0.0}, falling, 10e-3), 10e-3 - 1.0 / 400.0, 1e-12);
+}
+
+// --- the tick
+// --------------------------------------------------------------------------------------------------
+
+TEST(Servo, shows_the_force_of_the_needle_to_a_hand_at_rest) {
+  Armed loop;
+  double force = 0.0;
+  for (int i = 0; i < 50; ++i) force = loop.tick(5e-3, loop.fresh(3e-3, 0.7, 0.0));
+  EXPECT_NEAR(force, 0.7, 1e-12);
+  EXPECT_NEAR(loop.servo.hub_travel(), -1e-3 + 5e-3 - 0.7 / loop.servo.coupling().stiffness, 1e-12);
+}
+
+TEST(Servo, holds_the_hand_on_the_axis_of_the_needle) {
+  Armed loop;
+  for (int i = 0; i < 50; ++i) loop.tick(0.0, loop.fresh(-1e-3, 0.0, 0.0), Vec3(1e-3, 0.0, 0.0));
+  EXPECT_NEAR(loop.last.x(), -1e-3 * loop.servo.coupling().stiffness, 1e-12);
+}
+
+// A simulation at 50 Hz: between its words the force follows the hand by the tangent, and a word that
+// corrects it is blended in, with no step larger than a hundredth of what changes.
+TEST(Servo, is_continuous_between_the_words_of_a_slow_simulation) {
+  Armed loop;
+  LocalForce word = loop.fresh(0.0, 0.0, 50.0);
+  double before = 0.0, largest_step = 0.0;
+  for (int i = 0; i < 400; ++i) {
+    const double way = 1e-3 + 10e-3 * i * 1e-3;  // 10 mm/s
+    // The needle is a spring of 60 N/m, the word says 50: each word corrects the force by some 2 mN.
+    if (i % 20 == 0) word = loop.fresh(loop.servo.hub_travel(), 60.0 * loop.servo.hub_travel(), 50.0);
+    const double force = loop.tick(way, word);
+    if (i > 40) largest_step = std::max(largest_step, std::abs(force - before));
+    before = force;
+  }
+  EXPECT_LT(largest_step, 1e-3);
+  EXPECT_NEAR(before, 60.0 * loop.servo.hub_travel(), 3e-3);
+}
+
+TEST(Servo, lets_the_drop_of_a_puncture_through_within_two_ticks) {
+  Armed loop;
+  for (int i = 0; i < 50; ++i) loop.tick(10e-3, loop.fresh(8e-3, 1.0, 0.0));
+  const LocalForce punctured = loop.fresh(8e-3, 0.3, 0.0, true);
+  loop.tick(10e-3, punctured);
+  EXPECT_NEAR(loop.tick(10e-3, punctured), 0.3, 1e-12);
+}
+
+TEST(Servo, shows_nothing_before_the_simulation_has_spoken_or_the_device_is_ready) {
+  Servo servo({touch(), 0.0, 0.0, 1e-3});
+  DeviceState state;
+  for (int i = 0; i < 2000; ++i) {
+    state.time = i * 1e-3;
+    state.ready = i > 1000;
+    state.position = Vec3(0.0, 0.0, -1e-3 * i);
+    ASSERT_EQ(servo.tick(state, LocalForce{}).force, Vec3(Vec3::Zero()));
+  }
+  EXPECT_EQ(servo.gate().fault(), GateFault::none);
+}
+
+TEST(Servo, is_at_zero_within_100_ms_of_the_simulations_last_word) {
+  Armed loop;
+  const auto grown_old = [&](int ms) {
+    Armed one;
+    LocalForce word;
+    for (int i = 0; i < 50; ++i) word = one.fresh(8e-3, 2.0, 0.0), one.tick(10e-3, word);
+    double force = 0.0;
+    for (int i = 0; i < ms; ++i) force = one.tick(10e-3, word);
+    return force;
+  };
+  EXPECT_NEAR(grown_old(19), 2.0, 1e-12);
+  EXPECT_EQ(grown_old(99), 0.0);
+}
+
+// What is no number, from either side, turns the force off and leaves the hub where it was.
+TEST(Servo, never_tells_the_simulation_a_number_that_is_none) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  for (int which = 0; which < 4; ++which) {
+    Armed loop;
+    LocalForce word = loop.fresh(0.0, 0.5, 10.0);
+    double way = 2e-3;
+    (which == 0 ? way : which == 1 ? word.force : which == 2 ? word.stiffness : word.travel) = nan;
+    const double force = loop.tick(way, word);
+    EXPECT_TRUE(std::isfinite(force)) << which;
+    EXPECT_TRUE(std::isfinite(loop.servo.hub_travel())) << which;
+    EXPECT_EQ(loop.servo.gate().fault(), GateFault::not_finite) << which;
+  }
+}
+
+TEST(Servo, obeys_the_persons_own_limit) {
+  Servo servo({touch(), 0.5, 0.0, 1e-3});
+  DeviceState state;
+  state.ready = true;
+  double force = 0.0;
+  for (int i = 0; i < 900; ++i) {
+    state.time = i * 1e-3;
+    state.position = Vec3(0.0, 0.0, i < 600 ? 0.0 : -20e-3);
+    force = servo.tick(state, {state.time, 0.0, 0.0, 1e4, 1.0, false}).force.norm();
+  }
+  EXPECT_NEAR(force, 0.5, 1e-12);
+}
+
+}  // namespace
+}  // namespace acus::haptics

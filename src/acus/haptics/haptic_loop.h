@@ -1,0 +1,27 @@
+// The haptic loop with its threads: the device's, which ticks, and the simulation's. They share two mailboxes and nothing
+// else; neither waits for the other.
+#pragma once
+
+#include <atomic>
+
+#include "acus/haptics/device.h"
+#include "acus/haptics/hub_simulation.h"
+#include "acus/haptics/loop_report.h"
+
+namespace acus::haptics {
+
+struct LoopSettings {
+  double force_limit = 0.0;    // N, the person's own; 0: the device's
+  double start_travel = -5e-3; // m, of the hub where the device is when it becomes ready; before first touch
+};
+
+struct LoopOutcome {
+  LoopReport report;
+  std::optional<Error> lost;  // how the device was lost, if it was
+};
+
+// Runs until `stop` is true or the device is lost. The simulation runs at its own time step by the wall clock, or as fast
+// as it can where it is slower than that.
+LoopOutcome run_loop(Device& device, Simulation& simulation, const LoopSettings& settings, const std::atomic<bool>& stop);
+
+}  // namespace acus::haptics

@@ -2,12 +2,19 @@
 
 #include <vector>
 
+#include "acus/haptics/force_dimension.h"
+#include "acus/haptics/openhaptics.h"
 #include "acus/io/spelling.h"
 
 namespace acus::haptics {
 
 std::span<const Backend> backends() {
-  static const std::vector<Backend> all = {};
+  static const std::vector<Backend> all = {
+      {"openhaptics", "3D Systems Touch and Phantom, through OpenHaptics", emulator_only, openhaptics_missing,
+       open_openhaptics},
+      {"force_dimension", "Force Dimension omega and its sisters", emulator_only, force_dimension_missing,
+       open_force_dimension},
+  };
   return all;
 }
 

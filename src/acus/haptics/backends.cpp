@@ -4,12 +4,15 @@
 
 #include "acus/haptics/force_dimension.h"
 #include "acus/haptics/openhaptics.h"
+#include "acus/haptics/simulated_device.h"
 #include "acus/io/spelling.h"
 
 namespace acus::haptics {
 
 std::span<const Backend> backends() {
+  const auto never_missing = [] { return std::string(); };
   static const std::vector<Backend> all = {
+      {"simulated", "a device and a hand that are not there", "no hardware to test", never_missing, open_simulated},
       {"openhaptics", "3D Systems Touch and Phantom, through OpenHaptics", emulator_only, openhaptics_missing,
        open_openhaptics},
       {"force_dimension", "Force Dimension omega and its sisters", emulator_only, force_dimension_missing,

@@ -116,8 +116,8 @@ class ForceDimension final : public Device {
   }
 
   Error failure(const char* what) const {
-    return Error{"the device was lost: it did not " + std::string(what) + " (" + words_of_last_error(driver_) +
-                 "); is it still plugged in and switched on?"};
+    return Error{"the device was lost: it did not " + std::string(what) + " (" +
+                 words_of_last_error(driver_) + "); is it still plugged in and switched on?"};
   }
 
   DhdDriver driver_;
@@ -136,7 +136,8 @@ std::string force_dimension_missing() {
 Result<std::unique_ptr<Device>> open_force_dimension(const std::string& argument) {
   const bool digit = argument.size() == 1 && argument[0] >= '0' && argument[0] <= '9';
   if (!argument.empty() && !digit)
-    return Error{"'" + argument + "' is no number of a Force Dimension device: give 0 for the first, up to 9"};
+    return Error{"'" + argument +
+                 "' is no number of a Force Dimension device: give 0 for the first, up to 9"};
   const Result<DhdDriver> driver = load_dhd();
   if (!driver) return driver.error();
   const int id = driver->open_id(static_cast<char>(digit ? argument[0] - '0' : 0));

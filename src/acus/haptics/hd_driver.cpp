@@ -28,7 +28,8 @@ std::string Driver::words_of(Name error) const {
 Result<Driver> load_driver() {
   static constexpr std::array names = {"libHD.so"};
   Result<SharedLibrary> library =
-      SharedLibrary::open({"ACUS_LIBHD", names, "3D Systems' devices", "install OpenHaptics and the device driver of 3D Systems"});
+      SharedLibrary::open({"ACUS_LIBHD", names, "3D Systems' devices",
+                           "install OpenHaptics and the device driver of 3D Systems"});
   if (!library) return library.error();
   Driver driver{};
   library->require(driver.init_device, "hdInitDevice");

@@ -13,11 +13,11 @@
 namespace acus::haptics {
 namespace {
 
-constexpr double patience = 0.5;                              // s, for the driver's next frame
-constexpr std::chrono::milliseconds between_looks(2);         // of serve(), which is not the real-time thread
-constexpr unsigned long rate = 1000;                          // Hz
-constexpr double newton_per_metre = 1.0 / units::mm;          // in a N/mm
-constexpr double to_millinewton_metres = 1e3;                 // from N m
+constexpr double patience = 0.5;                       // s, for the driver's next frame
+constexpr std::chrono::milliseconds between_looks(2);  // of serve(), which is not the real-time thread
+constexpr unsigned long rate = 1000;                   // Hz
+constexpr double newton_per_metre = 1.0 / units::mm;   // in a N/mm
+constexpr double to_millinewton_metres = 1e3;          // from N m
 
 // What serve() and the driver's thread say to each other.
 struct Exchange {
@@ -61,7 +61,8 @@ class OpenHaptics final : public Device {
   Exchange exchange_;
 };
 
-// --- on the driver's thread: no lock, no allocation ---------------------------------------------------------
+// --- on the driver's thread: no lock, no allocation
+// ---------------------------------------------------------
 
 unsigned int OpenHaptics::on_frame(void* self) noexcept {
   static_cast<OpenHaptics*>(self)->frame();
@@ -109,7 +110,8 @@ void OpenHaptics::put_out(const Wrench& wrench) const noexcept {
   driver_.set_doublev(hd::current_gimbal_torque, torque.data());
 }
 
-// --- on the thread of serve() -------------------------------------------------------------------------------
+// --- on the thread of serve()
+// -------------------------------------------------------------------------------
 
 std::optional<Error> OpenHaptics::take() {
   driver_.forget_errors();
@@ -201,7 +203,8 @@ std::optional<Error> OpenHaptics::watch(const std::atomic<bool>& stop) {
       frames = seen;
       last = now;
     } else if (now - last > patience) {
-      return Error{"the device was lost: OpenHaptics has been silent for half a second; is it still plugged in?"};
+      return Error{
+          "the device was lost: OpenHaptics has been silent for half a second; is it still plugged in?"};
     }
   }
   return std::nullopt;

@@ -13,8 +13,8 @@ class Pace {
  public:
   explicit Pace(double period) noexcept;  // s
 
-  // Sleeps until the next tick is due. Ticks that were missed are left out, not made up for in a burst; returns
-  // how many they were.
+  // Sleeps until the next tick is due. Ticks that were missed are left out, not made up for in a burst;
+  // returns how many they were.
   long wait() noexcept;
 
  private:

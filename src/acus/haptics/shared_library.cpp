@@ -31,8 +31,8 @@ Result<SharedLibrary> SharedLibrary::open(const LibraryPlace& place) {
     const char* reason = dlerror();
     reasons += (reasons.empty() ? "" : "; ") + (reason ? std::string(reason) : path);
   }
-  return Error{"the driver of " + std::string(place.owner) + " cannot be loaded (" + reasons + "): " +
-               remedy_of(place)};
+  return Error{"the driver of " + std::string(place.owner) + " cannot be loaded (" + reasons +
+               "): " + remedy_of(place)};
 }
 
 void* SharedLibrary::address(const char* symbol) const { return dlsym(handle_, symbol); }

@@ -1,4 +1,5 @@
-// A driver's library, found while the program runs: acus is built without any maker's kit and ships no driver.
+// A driver's library, found while the program runs: acus is built without any maker's kit and ships no
+// driver.
 #pragma once
 
 #include <optional>
@@ -11,10 +12,10 @@ namespace acus::haptics {
 
 // Where a driver is looked for, and what to tell somebody who does not have it.
 struct LibraryPlace {
-  const char* variable;              // of the environment: the path to take instead of the names below
+  const char* variable;                // of the environment: the path to take instead of the names below
   std::span<const char* const> names;  // tried in this order
-  const char* owner;                 // "3D Systems' devices"
-  const char* remedy;                // "install OpenHaptics"
+  const char* owner;                   // "3D Systems' devices"
+  const char* remedy;                  // "install OpenHaptics"
 };
 
 // Stays loaded for as long as the program runs: a driver may leave threads behind that still run its code.

@@ -35,7 +35,8 @@ LoopOutcome run_for(double duration, Simulation& simulation) {
 
 TEST(HapticLoop, lets_the_hand_feel_the_needle_buckle) {
   const Scene scene = testing_machine();
-  // Whoever shares the processor may stall the loop, and the gate then rightly takes the force away: again, then.
+  // Whoever shares the processor may stall the loop, and the gate then rightly takes the force away: again,
+  // then.
   for (int attempt = 0; attempt < 5; ++attempt) {
     Result<Simulation> simulation = Simulation::build(scene);
     const LoopOutcome outcome = run_for(2.5, *simulation);
@@ -45,7 +46,8 @@ TEST(HapticLoop, lets_the_hand_feel_the_needle_buckle) {
     EXPECT_EQ(outcome.report.health, Health::good);
     EXPECT_LE(outcome.report.largest_force, find_device_limits("touch")->peak_force);
     if (outcome.report.fault != GateFault::none) continue;
-    const double critical = needle::critical_load(needle::bending_rigidity(scene.needle), 0.2, scene.needle.support);
+    const double critical =
+        needle::critical_load(needle::bending_rigidity(scene.needle), 0.2, scene.needle.support);
     EXPECT_NEAR(simulation->frame().hand_force, critical, 0.1 * critical);
     EXPECT_NEAR(outcome.report.largest_force, critical, 0.15 * critical);
     EXPECT_FALSE(simulation->events().empty());

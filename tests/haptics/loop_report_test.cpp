@@ -12,7 +12,8 @@ TEST(DurationHistogram, gives_quantiles_to_the_width_of_a_bin) {
   EXPECT_EQ(histogram.count(), 10000);
   EXPECT_NEAR(histogram.mean(), 5.0005e-3, 1e-9);
   EXPECT_DOUBLE_EQ(histogram.longest(), 10e-3);
-  for (double q : {0.1, 0.5, 0.9, 0.999}) EXPECT_NEAR(histogram.quantile(q), q * 10e-3, 0.09 * q * 10e-3) << q;
+  for (double q : {0.1, 0.5, 0.9, 0.999})
+    EXPECT_NEAR(histogram.quantile(q), q * 10e-3, 0.09 * q * 10e-3) << q;
   EXPECT_DOUBLE_EQ(histogram.quantile(1.0), 10e-3);
   EXPECT_NEAR(static_cast<double>(histogram.longer_than(5e-3)), 5000.0, 500.0);
 }
@@ -37,7 +38,8 @@ LoopReport report_of(double step) {
 }
 
 TEST(LoopReport, counts_late_ticks) {
-  EXPECT_NE(in_words(report_of(2e-3)).find("1000, every 1.010 ms; 2 late"), std::string::npos) << in_words(report_of(2e-3));
+  EXPECT_NE(in_words(report_of(2e-3)).find("1000, every 1.010 ms; 2 late"), std::string::npos)
+      << in_words(report_of(2e-3));
 }
 
 TEST(LoopReport, says_whether_the_scene_is_too_heavy_and_what_helps) {
@@ -50,7 +52,8 @@ TEST(LoopReport, says_whether_the_scene_is_too_heavy_and_what_helps) {
 TEST(LoopReport, names_the_fault_that_turned_the_force_off) {
   LoopReport report = report_of(2e-3);
   EXPECT_EQ(in_words(report).find("force off"), std::string::npos);
-  for (GateFault fault : {GateFault::not_finite, GateFault::stale, GateFault::over_speed, GateFault::overheated}) {
+  for (GateFault fault :
+       {GateFault::not_finite, GateFault::stale, GateFault::over_speed, GateFault::overheated}) {
     report.fault = fault;
     EXPECT_NE(in_words(report).find("force off: " + in_words(fault)), std::string::npos);
     EXPECT_GT(in_words(fault).size(), 10u);

@@ -12,7 +12,8 @@ namespace acus::haptics {
 std::span<const Backend> backends() {
   const auto never_missing = [] { return std::string(); };
   static const std::vector<Backend> all = {
-      {"simulated", "a device and a hand that are not there", "no hardware to test", never_missing, open_simulated},
+      {"simulated", "a device and a hand that are not there", "no hardware to test", never_missing,
+       open_simulated},
       {"openhaptics", "3D Systems Touch and Phantom, through OpenHaptics", emulator_only, openhaptics_missing,
        open_openhaptics},
       {"force_dimension", "Force Dimension omega and its sisters", emulator_only, force_dimension_missing,

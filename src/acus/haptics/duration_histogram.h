@@ -1,4 +1,5 @@
-// Durations counted as they come, eight bins to an octave from 100 ns to 27 s: any quantile to 5 %, without an allocation.
+// Durations counted as they come, eight bins to an octave from 100 ns to 27 s: any quantile to 5 %, without
+// an allocation.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +18,7 @@ class DurationHistogram {
     longest_ = std::max(longest_, seconds);
   }
   long count() const { return count_; }
-  double longest() const { return longest_; }                                                  // s
+  double longest() const { return longest_; }                                            // s
   double mean() const { return count_ > 0 ? sum_ / static_cast<double>(count_) : 0.0; }  // s
   // How many were longer than that, to the width of a bin.
   long longer_than(double seconds) const {
@@ -30,7 +31,8 @@ class DurationHistogram {
     const auto wanted = static_cast<long>(std::ceil(q * static_cast<double>(count_)));
     long below = 0;
     for (std::size_t i = 0; i < bins; ++i)
-      if ((below += counts_[i]) >= wanted && below > 0) return std::min(shortest * std::exp2((static_cast<double>(i) + 1.0) / per_octave), longest_);
+      if ((below += counts_[i]) >= wanted && below > 0)
+        return std::min(shortest * std::exp2((static_cast<double>(i) + 1.0) / per_octave), longest_);
     return 0.0;
   }
 

@@ -1,5 +1,5 @@
-// The haptic loop with its threads: the device's, which ticks, and the simulation's. They share two mailboxes and nothing
-// else; neither waits for the other.
+// The haptic loop with its threads: the device's, which ticks, and the simulation's. They share two mailboxes
+// and nothing else; neither waits for the other.
 #pragma once
 
 #include <atomic>
@@ -11,8 +11,8 @@
 namespace acus::haptics {
 
 struct LoopSettings {
-  double force_limit = 0.0;    // N, the person's own; 0: the device's
-  double start_travel = -5e-3; // m, of the hub where the device is when it becomes ready; before first touch
+  double force_limit = 0.0;     // N, the person's own; 0: the device's
+  double start_travel = -5e-3;  // m, of the hub where the device is when it becomes ready; before first touch
 };
 
 struct LoopOutcome {
@@ -20,8 +20,9 @@ struct LoopOutcome {
   std::optional<Error> lost;  // how the device was lost, if it was
 };
 
-// Runs until `stop` is true or the device is lost. The simulation runs at its own time step by the wall clock, or as fast
-// as it can where it is slower than that.
-LoopOutcome run_loop(Device& device, Simulation& simulation, const LoopSettings& settings, const std::atomic<bool>& stop);
+// Runs until `stop` is true or the device is lost. The simulation runs at its own time step by the wall
+// clock, or as fast as it can where it is slower than that.
+LoopOutcome run_loop(Device& device, Simulation& simulation, const LoopSettings& settings,
+                     const std::atomic<bool>& stop);
 
 }  // namespace acus::haptics

@@ -21,18 +21,22 @@ namespace {
 std::string load_in_words(const LoopReport& report) {
   const double load = report.step.mean() / report.time_step;
   if (real_time_factor(report) < 0.98)
-    return line("Load     too heavy: a step of %g ms takes %.2f ms, so the needle moves in slow motion (%.2f times real "
-                "time); a coarser tissue (tissue.tetrahedra) or a longer step (run.time_step_ms) helps",
-                1e3 * report.time_step, 1e3 * report.step.mean(), real_time_factor(report));
-  return line("Load     %.0f %%: a step of %g ms takes %.2f ms, at most %.2f ms", 100.0 * load, 1e3 * report.time_step,
-              1e3 * report.step.mean(), 1e3 * report.step.longest());
+    return line(
+        "Load     too heavy: a step of %g ms takes %.2f ms, so the needle moves in slow motion (%.2f times "
+        "real "
+        "time); a coarser tissue (tissue.tetrahedra) or a longer step (run.time_step_ms) helps",
+        1e3 * report.time_step, 1e3 * report.step.mean(), real_time_factor(report));
+  return line("Load     %.0f %%: a step of %g ms takes %.2f ms, at most %.2f ms", 100.0 * load,
+              1e3 * report.time_step, 1e3 * report.step.mean(), 1e3 * report.step.longest());
 }
 
 std::string gate_in_words(const LoopReport& report) {
   const GateInterventions& gate = report.interventions;
-  return line("Gate     largest force %.2f N; slowed in %ld ticks, clamped in %ld, held for a late simulation in %ld%s%s",
-              report.largest_force, gate.slew, gate.peak, gate.held,
-              report.fault == GateFault::none ? "" : "; force off: ", in_words(report.fault).c_str());
+  return line(
+      "Gate     largest force %.2f N; slowed in %ld ticks, clamped in %ld, held for a late simulation in "
+      "%ld%s%s",
+      report.largest_force, gate.slew, gate.peak, gate.held,
+      report.fault == GateFault::none ? "" : "; force off: ", in_words(report.fault).c_str());
 }
 
 }  // namespace
@@ -62,11 +66,12 @@ std::string in_words(const LoopReport& report) {
       line("Ticks    %ld, every %.3f ms; %ld late by a whole millisecond or more, the longest after %.2f ms",
            report.period.count(), 1e3 * report.period.mean(), report.period.longer_than(late_tick),
            1e3 * report.period.longest());
-  words += line("Tick     %.1f us of work (half of them), 99.9 %% within %.1f us", 1e6 * report.work.quantile(0.5),
-                1e6 * report.work.quantile(0.999));
+  words += line("Tick     %.1f us of work (half of them), 99.9 %% within %.1f us",
+                1e6 * report.work.quantile(0.5), 1e6 * report.work.quantile(0.999));
   if (report.step.count() > 0) words += load_in_words(report);
   words += gate_in_words(report);
-  if (report.health != Health::good) words += "Needle   the simulation ended: " + std::string(complaint(report.health)) + "\n";
+  if (report.health != Health::good)
+    words += "Needle   the simulation ended: " + std::string(complaint(report.health)) + "\n";
   if (!report.not_real_time.empty()) words += "Time     " + report.not_real_time + "\n";
   return words;
 }

@@ -1,5 +1,5 @@
-// What a haptic loop says about itself, in numbers and in words: was it on time, was the scene too heavy, what did the gate
-// have to do.
+// What a haptic loop says about itself, in numbers and in words: was it on time, was the scene too heavy,
+// what did the gate have to do.
 #pragma once
 
 #include <string>
@@ -11,9 +11,9 @@
 namespace acus::haptics {
 
 struct LoopReport {
-  DurationHistogram period;   // from one tick to the next
-  DurationHistogram work;     // of our part of a tick
-  DurationHistogram step;     // of the simulation's steps
+  DurationHistogram period;     // from one tick to the next
+  DurationHistogram work;       // of our part of a tick
+  DurationHistogram step;       // of the simulation's steps
   double wall_time = 0.0;       // s, of the simulation's thread
   double simulated_time = 0.0;  // s
   double time_step = 0.0;       // s, of the simulation

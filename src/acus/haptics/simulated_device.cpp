@@ -43,7 +43,9 @@ Result<std::unique_ptr<Device>> open_simulated(const std::string& row) {
     for (const DeviceLimits& known : known_devices()) rows += (rows.empty() ? "" : ", ") + known.name;
     return Error{"there is no device '" + row + "' to simulate; there are " + rows};
   }
-  const auto push = [](double time) { return std::clamp(10e-3 * (time - 1.0), 0.0, 80e-3); };  // m, at a time in s
+  const auto push = [](double time) {
+    return std::clamp(10e-3 * (time - 1.0), 0.0, 80e-3);
+  };  // m, at a time in s
   return std::unique_ptr<Device>(std::make_unique<SimulatedDevice>(*limits, light_grip, push));
 }
 

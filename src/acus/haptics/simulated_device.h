@@ -1,5 +1,5 @@
-// A device that is not there: the handle and the hand of handle.h, ticking by the wall clock. For trying the loop without
-// hardware.
+// A device that is not there: the handle and the hand of handle.h, ticking by the wall clock. For trying the
+// loop without hardware.
 #pragma once
 
 #include <functional>
@@ -23,7 +23,8 @@ class SimulatedDevice final : public Device {
   std::function<double(double)> plan_;
 };
 
-// "simulated" or "simulated:ROW" with a row of devices.toml: a light grip that pushes at 10 mm/s after a second, 80 mm far.
+// "simulated" or "simulated:ROW" with a row of devices.toml: a light grip that pushes at 10 mm/s after a
+// second, 80 mm far.
 Result<std::unique_ptr<Device>> open_simulated(const std::string& row);
 
 }  // namespace acus::haptics

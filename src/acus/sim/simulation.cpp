@@ -58,7 +58,7 @@ double Simulation::hand_stiffness() {
   const NeedlePlace place = place_needle(p.model, p.state);
   const double column =
       needle::column_response(p.model.column, place.free_length, place.shortening).stiffness;
-  if (p.model.rigid()) return column;
+  if (p.model.rigid()) return p.state.tip_position < 0.0 ? 0.0 : column;  // not at the stop yet
   // The column in series with what it pushes: P(X - z - h w) = constant + resistance w.
   const double against = resistance(p.model, p.scratch);
   const double both = against + p.model.scene.run.time_step * column;

@@ -96,6 +96,36 @@ void add_study(CLI::App& program, Work& work) {
   verb->callback([options, &work] { work = [options] { return do_study(*options); }; });
 }
 
+void add_serve(CLI::App& program, Work& work) {
+  auto options = std::make_shared<ServeOptions>();
+  CLI::App* verb = program.add_subcommand("serve", "a scene under a hand, in real time");
+  verb->add_option("SCENE", options->scene, "scene file (TOML)")->required();
+  add_settings(*verb, options->settings);
+  verb->add_option("--device", options->device, "as `acus device list` names it")
+      ->type_name("NAME")
+      ->capture_default_str();
+  verb->add_option("--force-limit", options->force_limit, "most force in N, where less than the device's")
+      ->type_name("N")
+      ->check(CLI::Range(0.1, 100.0));
+  verb->add_option("--seconds", options->seconds, "end after so long; until Ctrl-C without it")
+      ->type_name("S")
+      ->check(CLI::Range(0.1, 1e6));
+  verb->callback([options, &work] { work = [options] { return do_serve(*options); }; });
+}
+
+void add_device(CLI::App& program, Work& work) {
+  CLI::App* verb = program.add_subcommand("device", "haptic devices: which there are, and whether one works");
+  verb->require_subcommand(1);
+  verb->add_subcommand("list", "the ways to reach a device, and what each still lacks")->callback([&work] {
+    work = do_device_list;
+  });
+  auto name = std::make_shared<std::string>();
+  CLI::App* check =
+      verb->add_subcommand("check", "pushes gently with one device and reports rate, jitter and limits");
+  check->add_option("NAME", *name, "as `acus device list` names it")->required();
+  check->callback([name, &work] { work = [name] { return do_device_check(*name); }; });
+}
+
 // What CLI11 says about a word it did not expect does not name the verb that was meant.
 std::string misspelt_verb(const CLI::App& program, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return {};
@@ -120,6 +150,8 @@ int main_with_verbs(int argc, char** argv) {
   add_check(program, work);
   add_bench(program, work);
   add_study(program, work);
+  add_serve(program, work);
+  add_device(program, work);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -43,4 +43,16 @@ struct StudyOptions {
 };
 int do_study(const StudyOptions& options);
 
+struct ServeOptions {
+  std::string scene;
+  std::vector<std::string> settings;
+  std::string device = "simulated";
+  double force_limit = 0.0;  // N; 0: the device's own
+  double seconds = 0.0;      // 0: until it is interrupted
+};
+int do_serve(const ServeOptions& options);
+
+int do_device_list();
+int do_device_check(const std::string& name);
+
 }  // namespace acus::app

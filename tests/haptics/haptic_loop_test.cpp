@@ -3,10 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <thread>
-
 #include "acus/haptics/simulated_device.h"
+#include "acus/haptics/stop_after.h"
 #include "acus/needle/buckling.h"
 
 namespace acus::haptics {
@@ -23,14 +21,9 @@ Scene testing_machine() {
 LoopOutcome run_for(double duration, Simulation& simulation) {
   SimulatedDevice device(*find_device_limits("touch"), light_grip,
                          [](double t) { return std::clamp(40e-3 * (t - 0.8), 0.0, 40e-3); });
-  std::atomic<bool> stop{false};
-  std::thread clock([&] {
-    std::this_thread::sleep_for(std::chrono::duration<double>(duration));
-    stop = true;
-  });
-  LoopOutcome outcome = run_loop(device, simulation, {}, stop);
-  clock.join();
-  return outcome;
+  const std::atomic<bool> never{false};
+  const StopAfter stop(duration, never);
+  return run_loop(device, simulation, {}, stop.flag());
 }
 
 TEST(HapticLoop, lets_the_hand_feel_the_needle_buckle) {

@@ -48,7 +48,6 @@ class Driven {
 };
 
 // --- arming
-// --------------------------------------------------------------------------------------------------
 
 TEST(ForceGate, gives_nothing_to_a_command_that_was_never_quiet) {
   Driven d;
@@ -108,7 +107,6 @@ TEST(ForceGate, does_not_count_ticks_as_quiet_while_something_is_wrong) {
 }
 
 // --- slew and peak
-// -------------------------------------------------------------------------------------------
 
 TEST(ForceGate, rises_by_half_a_newton_and_falls_by_a_whole_one_per_millisecond) {
   Driven d;
@@ -165,8 +163,24 @@ TEST(ForceGate, gives_nothing_where_a_limit_is_no_limit) {
   }
 }
 
+TEST(ForceGate, treats_all_three_directions_alike) {
+  Driven d;
+  d.armed();
+  for (int i = 0; i < 20; ++i) d.ask({1.0, 2.0, -2.0});
+  const Triple held = d.ask({1.0, 2.0, -2.0}, 0.03, {0.1, -0.2, 0.3});
+  const Triple expected{0.9, 2.2, -2.3};
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(held[k], expected[k], 1e-12) << k;
+  const Triple falling = d.ask({0.0, 0.0, 0.0});  // by 1 N of its 3.3 N
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(falling[k], expected[k] * (1.0 - 1.0 / norm(expected)), 1e-12) << k;
+}
+
+TEST(ForceGate, gives_as_little_as_a_small_limit_allows) {
+  Driven d({5e-4, 1.0, 0.5});
+  d.armed();
+  EXPECT_DOUBLE_EQ(d.ask_for(10, 1.0), 5e-4);
+}
+
 // --- torque
-// --------------------------------------------------------------------------------------------------
 
 TEST(ForceGate, treats_torques_like_forces_in_proportion_to_their_peak) {
   ForceGate gate({5.0, 5.0, 0.5});  // a newton is 0.1 N m
@@ -184,10 +198,19 @@ TEST(ForceGate, gives_no_torque_to_a_device_that_shows_none) {
   for (int i = 0; i < 1000; ++i)
     ASSERT_EQ(gate.pass({{}, x(i < 10 ? 0.0 : 0.1), {}, 0.0, 1e-3}).torque[0], 0.0);
   EXPECT_EQ(gate.state(), GateState::armed);
+  ForceGate no_force({0.0, 5.0, 0.5});
+  for (int i = 0; i < 1000; ++i)
+    ASSERT_EQ(no_force.pass({{}, x(i < 10 ? 0.0 : 0.1), {}, 0.0, 1e-3}).torque[0], 0.0);
+}
+
+TEST(ForceGate, gives_torque_to_a_device_of_hardly_any_force) {
+  ForceGate gate({5e-4, 5.0, 0.5});
+  double torque = 0.0;
+  for (int i = 0; i < 1200; ++i) torque = gate.pass({{}, x(i < 600 ? 0.0 : 0.3), {}, 0.0, 1e-3}).torque[0];
+  EXPECT_DOUBLE_EQ(torque, 0.3);
 }
 
 // --- faults
-// --------------------------------------------------------------------------------------------------
 
 TEST(ForceGate, turns_off_for_a_number_that_is_none_wherever_it_stands) {
   for (double bad : {nan, infinity, -infinity})
@@ -327,6 +350,23 @@ TEST(ForceGate, turns_off_when_the_handle_is_faster_than_1200_mm_per_second) {
   EXPECT_EQ(d.ask(2.5), 0.0);
 }
 
+// At four ticks a millisecond too: off is off, with no ramp but the slew.
+TEST(ForceGate, turns_off_at_once_however_short_the_tick) {
+  Driven fast, broken;
+  fast.at(0.3);
+  broken.at(0.3);
+  EXPECT_NEAR(fast.gate.pass({x(0.3), {}, x(2.0), 0.0, 0.25e-3}).force[0], 0.05, 1e-12);
+  broken.gate.pass({x(nan), {}, {}, 0.0, 0.25e-3});
+  EXPECT_EQ(broken.gate.pass({x(0.3), {}, {}, 0.0, 0.25e-3}).force[0], 0.0);
+}
+
+TEST(ForceGate, believes_no_tick_of_more_than_a_tenth_of_a_second) {
+  Driven d({8.5, 1.0, 0.0});
+  d.at(1.0);
+  for (int i = 0; i < 90; ++i) d.gate.pass({x(1.0), {}, {}, 0.0, 1e6});  // 9 N s, not a million
+  EXPECT_EQ(d.gate.fault(), GateFault::none);
+}
+
 TEST(ForceGate, measures_speed_in_all_directions) {
   Driven d;
   d.at(1.0);
@@ -407,7 +447,6 @@ TEST(ForceGate, follows_the_faster_of_two_faults_and_tells_the_first) {
 }
 
 // --- whatever comes
-// --------------------------------------------------------------------------------------------
 
 TEST(ForceGate, a_million_ticks_of_anything_give_finite_bounded_slow_forces) {
 #ifdef __SANITIZE_ADDRESS__

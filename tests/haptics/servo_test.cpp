@@ -43,7 +43,6 @@ class Armed {
 };
 
 // --- coupling
-// --------------------------------------------------------------------------------------------------
 
 TEST(VirtualCoupling, is_half_as_stiff_as_sampling_and_delay_allow) {
   DeviceLimits limits = touch();
@@ -81,7 +80,6 @@ TEST(VirtualCoupling, has_one_balance_with_a_needle_that_gives_way) {
 }
 
 // --- the tick
-// --------------------------------------------------------------------------------------------------
 
 TEST(Servo, shows_the_force_of_the_needle_to_a_hand_at_rest) {
   Armed loop;

@@ -1,38 +1,10 @@
 // A step allocates nothing, whatever happens in it. This program counts every operator new.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <new>
 #include <set>
 
 #include "acus/sim/simulation.h"
-
-namespace {
-long allocations = 0;
-}
-
-// Not inlined, lest the compiler see a free for a new and warn of it.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size ? size : 1)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  ++allocations;
-  return std::malloc(size ? size : 1);
-}
-[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
-  ++allocations;
-  const auto a = static_cast<std::size_t>(alignment);
-  if (void* memory = std::aligned_alloc(a, (size + a - 1) / a * a)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
-  std::free(memory);
-}
+#include "tests/counted_allocations.h"
 
 namespace acus {
 namespace {
@@ -66,6 +38,7 @@ TEST_P(StepAllocation, is_none_through_contact_puncture_and_withdrawal) {
     const double travel = stride * (step <= 200 ? step : 400 - step) - 5e-3;
     const long before = allocations;
     const Frame& frame = simulation.step(travel);
+    simulation.hand_stiffness();
     const long after = allocations;
     ASSERT_EQ(after, before) << "step " << step;
     ASSERT_EQ(frame.health, Health::good) << "step " << step;

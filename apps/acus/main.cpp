@@ -29,24 +29,41 @@ void add_settings(CLI::App& verb, std::vector<std::string>& settings) {
       ->allow_extra_args(false);
 }
 
+void add_output(CLI::App& verb, OutputOptions& options) {
+  verb.add_option("--out", options.out,
+                  "folder for trace.csv, events.csv and summary.json; without it nothing is written")
+      ->type_name("DIR")
+      ->each([&options](const std::string&) { options.out_given = true; });
+  verb.add_option("--vtu-every", options.vtu_every, "keep a drawing for ParaView every N steps")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1'000'000'000));
+  verb.add_flag("--json", options.json, "print summary.json on standard output, and nothing else there");
+  verb.add_flag("--quiet", options.quiet, "print nothing but errors (and what --json asks for)");
+}
+
 void add_run(CLI::App& program, Work& work) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* verb = program.add_subcommand("run", "one insertion, headless");
   verb->add_option("SCENE", options->scene, "scene file (TOML); docs/scene-keys.md lists its keys")
       ->required();
   add_settings(*verb, options->settings);
-  verb->add_option("--out", options->out,
-                   "folder for trace.csv, events.csv and summary.json; without it nothing is written")
-      ->type_name("DIR");
-  verb->add_option("--vtu-every", options->vtu_every, "keep a drawing for ParaView every N steps")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1'000'000'000));
-  verb->add_flag("--json", options->json, "print summary.json on standard output, and nothing else there");
-  verb->add_flag("--quiet", options->quiet, "print nothing but errors (and what --json asks for)");
+  add_output(*verb, options->output);
+  verb->add_option("--record", options->record, "file for a recording, which `acus replay` takes")
+      ->type_name("FILE");
   verb->callback([options, verb, &work] {
-    options->out_given = verb->count("--out") > 0;
+    options->record_given = verb->count("--record") > 0;
     work = [options] { return do_run(*options); };
   });
+}
+
+void add_replay(CLI::App& program, Work& work) {
+  auto options = std::make_shared<ReplayOptions>();
+  CLI::App* verb =
+      program.add_subcommand("replay", "the same bits again, or the same hand with another needle");
+  verb->add_option("RECORDING", options->recording, "file that a recording was written into")->required();
+  add_settings(*verb, options->settings);
+  add_output(*verb, options->output);
+  verb->callback([options, &work] { work = [options] { return do_replay(*options); }; });
 }
 
 void add_check(CLI::App& program, Work& work) {
@@ -147,6 +164,7 @@ int main_with_verbs(int argc, char** argv) {
   program.require_subcommand(1);
   Work work;
   add_run(program, work);
+  add_replay(program, work);
   add_check(program, work);
   add_bench(program, work);
   add_study(program, work);

@@ -1,122 +1,61 @@
 // acus run: one insertion, headless.
-#include <chrono>
-#include <cstdio>
-#include <iostream>
-#include <nlohmann/json.hpp>
-#include <optional>
+#include <memory>
 
-#include "acus/base/hash.h"
-#include "acus/base/units.h"
-#include "acus/io/run_folder.h"
+#include "acus/haptics/recorder.h"
+#include "acus/io/insertion.h"
+#include "acus/io/replay.h"
 #include "acus/io/scene_toml.h"
-#include "acus/io/summary_json.h"
-#include "acus/sim/names.h"
-#include "interruption.h"
-#include "progress.h"
+#include "acus/sim/hand.h"
+#include "run_output.h"
 #include "verbs.h"
 
 namespace acus::app {
 namespace {
 
-using io::Insertion;
-using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
+using haptics::Recorder;
+
+Result<std::unique_ptr<Recorder>> start_recorder(const RunOptions& options, const Scene& scene) {
+  if (!options.record_given) return std::unique_ptr<Recorder>();
+  const Result<io::RecordedScene> recorded = io::recorded_scene(scene);
+  if (!recorded) return recorded.error();
+  return Recorder::start(options.record, *recorded, "--record");
 }
 
-const char* in_words(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::straight_puncture:
-      return "the needle punctured the tissue without buckling before";
-    case Outcome::buckled_then_punctured:
-      return "the needle buckled, and punctured the tissue nevertheless";
-    case Outcome::never_punctured:
-      return "the needle never punctured the tissue";
-  }
-  return "";
-}
-
-void print_events(const Insertion& insertion) {
-  std::printf("\n%9s  %-16s %12s %12s %14s\n", "time", "event", "hand travel", "hand force", "free length");
-  for (const Event& event : insertion.events)
-    std::printf("%7.3f s  %-16s %9.2f mm %10.4f N %11.2f mm\n", event.time, name_of(event.kind).c_str(),
-                event.hand_travel / units::mm, event.hand_force, event.free_length / units::mm);
-}
-
-void print_summary(const Insertion& insertion, double wall_time, const std::string& out) {
-  const Summary& summary = insertion.summary;
-  const bool whole = !insertion.interrupted && summary.health == Health::good;
-  std::printf("%s%s: %s\n", whole ? "" : "not run to its end; so far ",
-              name_of(outcome(insertion.events)).c_str(), in_words(outcome(insertion.events)));
-  print_events(insertion);
-  std::printf("\npeak hand force   %.4f N at %.2f mm of travel\n", summary.peak_hand_force,
-              summary.peak_hand_force_travel / units::mm);
-  if (summary.rupture_force) std::printf("tip force at the puncture %.4f N\n", *summary.rupture_force);
-  std::printf("largest bow       %.2f mm\n", summary.peak_deflection / units::mm);
-  std::printf("energy residual   %.2e J, %.3f %% of the work of the hand\n", summary.peak_energy_residual,
-              100.0 * relative_energy_residual(summary));
-  std::printf("tissue            %d tetrahedra, %d nodes\n", insertion.tetrahedra, insertion.nodes);
-  std::printf("speed             %.1f s simulated in %.1f s, %.1f times real time\n", summary.time, wall_time,
-              wall_time > 0.0 ? summary.time / wall_time : 0.0);
-  std::printf("state hash        %s\n", hex(insertion.state_hash).c_str());
-  if (out.empty())
-    std::printf("\nNo files were written; --out DIR keeps trace.csv, events.csv and summary.json.\n");
-  else
-    std::printf("\nWritten into %s\n", out.c_str());
-}
-
-// 0, or the exit code of what went wrong on the way, said on standard error.
-int judged(const Insertion& insertion, bool recorded) {
-  const std::string when = "at " + std::to_string(insertion.summary.time) + " s";
-  if (insertion.summary.health != Health::good)
-    return refused("the run failed " + when + ": " + complaint(insertion.summary.health), run_failed);
-  if (insertion.interrupted && interrupted())
-    return refused("interrupted " + when + (recorded ? "; the files hold the run up to there" : ""),
-                   run_failed);
-  return done;
+// Follows the hand of the scene to its end, and writes each step down.
+io::Insertion insert(Simulation& simulation, RunOutput& output, Recorder* recorder) {
+  const Scene& scene = simulation.scene();
+  double travel = 0.0;  // m, the input of the last step
+  const auto along_the_hand = [&](int step) {
+    return travel = hand_travel(scene.hand, step * scene.run.time_step);
+  };
+  const auto write_down = [&, begun = false](const Simulation& now) mutable {
+    if (recorder == nullptr || !std::exchange(begun, true)) return true;
+    recorder->wait_for_room();
+    const bool due = recorder->hash_due();
+    recorder->step(travel, due ? std::optional(now.state_hash()) : std::nullopt);
+    return true;
+  };
+  return output.follow(simulation, io::step_count(scene), along_the_hand, write_down);
 }
 
 }  // namespace
 
 int do_run(const RunOptions& options) {
-  if (options.vtu_every > 0 && options.out.empty())
-    return refused("--vtu-every needs a folder for its frames; add --out DIR", bad_input);
-  if (options.out_given && options.out.empty())
-    return refused("--out is empty; name a folder, or leave --out away to keep nothing", bad_input);
+  if (const auto wrong = complaint(options.output)) return refused(*wrong, bad_input);
   const Result<Scene> scene = io::read_scene(options.scene, options.settings);
   if (!scene) return refused(scene.error().sentence, bad_input);
   Result<Simulation> simulation = io::build_simulation(*scene);
   if (!simulation) return refused(options.scene + ": " + simulation.error().sentence, bad_input);
-  std::optional<io::RunFolder> folder;
-  if (!options.out.empty()) {
-    Result<io::RunFolder> made = io::RunFolder::create(options.out, options.vtu_every);
-    if (!made) return refused(made.error().sentence, bad_input);
-    folder.emplace(std::move(made).value());
-  }
+  Result<RunOutput> output = RunOutput::create(options.output);
+  if (!output) return refused(output.error().sentence, bad_input);
+  Result<std::unique_ptr<Recorder>> recorder = start_recorder(options, *scene);
+  if (!recorder) return refused(recorder.error().sentence, bad_input);
 
-  catch_interruptions();
-  const auto start = Clock::now();
-  double writing = 0.0;  // s of wall time that was not spent on steps
-  const Insertion insertion = [&] {
-    Progress progress("step", io::step_count(*scene), options.quiet);
-    return io::run_insertion(*simulation, [&, completed = 0L](const Simulation& now) mutable {
-      const auto before = Clock::now();
-      progress.update(completed++);
-      const bool written = !folder || folder->record(now);
-      writing += seconds_since(before);
-      return written && !interrupted();
-    });
-  }();
-  const double wall_time = seconds_since(start) - writing;
-
-  if (folder)
-    if (const auto failed = folder->finish(insertion, wall_time))
-      return refused(failed->sentence, run_failed);
-  if (options.json)
-    std::cout << io::json_text(io::summary_json(insertion, wall_time)) << std::flush;
-  else if (!options.quiet)
-    print_summary(insertion, wall_time, options.out);
-  return judged(insertion, folder.has_value());
+  const io::Insertion insertion = insert(*simulation, *output, recorder->get());
+  std::optional<Error> not_recorded;
+  if (*recorder) not_recorded = (*recorder)->finish(insertion.state_hash);
+  const int code = output->finish(insertion);
+  return not_recorded ? refused(not_recorded->sentence, run_failed) : code;
 }
 
 }  // namespace acus::app

@@ -11,15 +11,29 @@ enum ExitCode { done = 0, run_failed = 1, bad_input = 2 };
 // "acus: sentence" on standard error; returns `code`.
 int refused(const std::string& sentence, ExitCode code);
 
-struct RunOptions {
-  std::string scene;
-  std::vector<std::string> settings;  // key=value
-  std::string out;                    // folder
+// What is kept and printed of one insertion.
+struct OutputOptions {
+  std::string out;  // folder
   bool out_given = false;
   int vtu_every = 0;  // steps; 0: never
   bool json = false, quiet = false;
 };
+
+struct RunOptions {
+  std::string scene;
+  std::vector<std::string> settings;  // key=value
+  std::string record;                 // file
+  bool record_given = false;
+  OutputOptions output;
+};
 int do_run(const RunOptions& options);
+
+struct ReplayOptions {
+  std::string recording;
+  std::vector<std::string> settings;  // key=value
+  OutputOptions output;
+};
+int do_replay(const ReplayOptions& options);
 
 struct CheckOptions {
   std::string scene;

@@ -23,6 +23,11 @@ std::uint64_t hash_of(std::span<const int> values, std::uint64_t so_far) {
   return so_far;
 }
 
+std::uint64_t hash_of_bytes(std::string_view bytes, std::uint64_t so_far) {
+  for (const char byte : bytes) so_far = absorb(static_cast<unsigned char>(byte), 1, so_far);
+  return so_far;
+}
+
 std::string hex(std::uint64_t hash) {
   std::string digits(16, '0');
   for (int i = 15; i >= 0; --i, hash >>= 4)

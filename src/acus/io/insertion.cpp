@@ -21,14 +21,18 @@ int step_count(const Scene& scene) {
 
 Insertion run_insertion(Simulation& simulation, const Observer& observer) {
   const Scene& scene = simulation.scene();
-  const int steps = step_count(scene);
+  const auto travel = [&](int step) { return hand_travel(scene.hand, step * scene.run.time_step); };
+  return run_insertion(simulation, step_count(scene), travel, observer);
+}
+
+Insertion run_insertion(Simulation& simulation, int steps, const TravelOf& travel, const Observer& observer) {
   Insertion insertion;
-  insertion.scene = scene;
+  insertion.scene = simulation.scene();
   insertion.nodes = static_cast<int>(simulation.tissue().nodes.size());
   insertion.tetrahedra = static_cast<int>(simulation.tissue().tets.size());
   insertion.interrupted = observer && !observer(simulation);
   for (int step = 1; step <= steps && !insertion.interrupted; ++step) {
-    const Frame& frame = simulation.step(hand_travel(scene.hand, step * scene.run.time_step));
+    const Frame& frame = simulation.step(travel(step));
     add(insertion.summary, frame, simulation.events());
     insertion.interrupted = observer && !observer(simulation);
     if (frame.health != Health::good) break;

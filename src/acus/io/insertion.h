@@ -31,8 +31,15 @@ struct Insertion {
   bool interrupted = false;  // by the observer
 };
 
-// Follows the hand to its end with a simulation that was just built. A step that goes wrong ends it early:
+// Where the hub is [m] at the end of a step; steps count from 1.
+using TravelOf = std::function<double(int step)>;
+
+// Takes `steps` steps with a simulation that was just built. One that goes wrong ends the insertion early:
 // see summary.health.
+Insertion run_insertion(Simulation& simulation, int steps, const TravelOf& travel,
+                        const Observer& observer = {});
+
+// The same along the movement of the scene's hand, to its end.
 Insertion run_insertion(Simulation& simulation, const Observer& observer = {});
 
 }  // namespace acus::io

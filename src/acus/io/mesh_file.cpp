@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "acus/base/hash.h"
 #include "acus/io/gmsh_mesh.h"
 #include "acus/io/mesh_draft.h"
 #include "acus/io/text_file.h"
@@ -49,6 +50,12 @@ Result<mesh::TetMesh> read_mesh(const std::string& path, double unit_m) {
   const auto bytes = read_text(path, largest_file);
   if (!bytes) return bytes.error();
   return read_mesh_bytes(*bytes, path, unit_m);
+}
+
+Result<std::uint64_t> mesh_file_hash(const std::string& path) {
+  const auto bytes = read_text(path, largest_file);
+  if (!bytes) return bytes.error();
+  return hash_of_bytes(*bytes);
 }
 
 }  // namespace acus::io

@@ -1,6 +1,7 @@
 // Tetrahedral meshes from files: Gmsh 1, 2 and 4.1, VTK legacy and VTU; told apart by what is in them.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -16,5 +17,8 @@ Result<mesh::TetMesh> read_mesh(const std::string& path, double unit_m);
 
 // The same from bytes in memory; `file` is what sentences call them.
 Result<mesh::TetMesh> read_mesh_bytes(std::string_view bytes, const std::string& file, double unit_m);
+
+// The hash of the file's bytes, so that another file of the same name can be told.
+Result<std::uint64_t> mesh_file_hash(const std::string& path);
 
 }  // namespace acus::io

@@ -5,26 +5,22 @@
 #include <filesystem>
 
 namespace acus::io {
-namespace {
-
-std::string reason(int number) {
-  if (number == ENOSPC) return "the disk is full; free some space or write elsewhere with --out";
-  if (number == EACCES || number == EROFS || number == EPERM)
-    return "writing there is not permitted; choose another folder with --out";
-  if (number == EISDIR) return "a folder of that name stands in its place";
-  return std::strerror(number);
+std::string write_obstacle(int error_number, const std::string& option) {
+  if (error_number == ENOSPC) return "the disk is full; free some space or write elsewhere with " + option;
+  if (error_number == EACCES || error_number == EROFS || error_number == EPERM)
+    return "writing there is not permitted; choose another folder with " + option;
+  if (error_number == EISDIR) return "a folder of that name stands in its place";
+  return std::strerror(error_number);
 }
-
-}  // namespace
 
 Result<OutputFile> OutputFile::create(const std::string& path) {
   std::FILE* file = std::fopen(path.c_str(), "wb");
-  if (file == nullptr) return Error{path + ": cannot be written: " + reason(errno)};
+  if (file == nullptr) return Error{path + ": cannot be written: " + write_obstacle(errno)};
   return OutputFile(path, file);
 }
 
 void OutputFile::note_failure() {
-  if (!failure_) failure_ = Error{path_ + ": cannot be written to its end: " + reason(errno)};
+  if (!failure_) failure_ = Error{path_ + ": cannot be written to its end: " + write_obstacle(errno)};
 }
 
 void OutputFile::write(std::string_view text) {
@@ -52,7 +48,7 @@ std::optional<Error> write_file(const std::string& path, std::string_view text) 
     return incomplete;
   }
   std::filesystem::rename(draft, path, failed);
-  if (failed) return Error{path + ": cannot be written: " + reason(failed.value())};
+  if (failed) return Error{path + ": cannot be written: " + write_obstacle(failed.value())};
   return std::nullopt;
 }
 
@@ -62,7 +58,7 @@ std::optional<Error> make_folder(const std::string& path) {
   std::error_code unknown;  // what cannot be looked at is no folder to write into
   if (std::filesystem::is_directory(path, unknown)) return std::nullopt;
   if (std::filesystem::exists(path, unknown)) return Error{path + ": is a file; name a folder to write into"};
-  return Error{path + ": this folder cannot be made: " + reason(failed.value())};
+  return Error{path + ": this folder cannot be made: " + write_obstacle(failed.value())};
 }
 
 }  // namespace acus::io

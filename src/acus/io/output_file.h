@@ -12,6 +12,9 @@
 
 namespace acus::io {
 
+// Why a file could not be written, from errno; `option` is what a user types to choose another place.
+std::string write_obstacle(int error_number, const std::string& option = "--out");
+
 class OutputFile {
  public:
   // Creates the file or empties the one that is there.

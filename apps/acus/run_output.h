@@ -1,5 +1,5 @@
-// One insertion as a user follows it: progress while it runs, files, and a summary at its end. Runs and replays
-// share it.
+// One insertion as a user follows it: progress while it runs, files, and a summary at its end. Runs and
+// replays share it.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// CRC-32C (Castagnoli, as in iSCSI, RFC 3720 12.1): finds any damage of up to 32 bits in a row, and others but
-// for one in four thousand million.
+// CRC-32C (Castagnoli, as in iSCSI, RFC 3720 12.1): finds any damage of up to 32 bits in a row, and others
+// but for one in four thousand million.
 #pragma once
 
 #include <cstdint>

@@ -137,7 +137,7 @@ std::string Recorder::ticks_in_blocks() {
   std::string bytes;
   io::RecordedTick tick;
   const std::uint64_t lost = ticks_lost_.load(std::memory_order_relaxed);
-  for (std::size_t left = tick_ring_.size(); left > 0;) {
+  for (std::size_t left = tick_ring_.size(); left > 0 || lost != ticks_lost_written_;) {
     io::RecordedTicks block;
     block.lost = lost - std::exchange(ticks_lost_written_, lost);
     for (; left > 0 && block.ticks.size() < io::most_ticks_in_block && tick_ring_.pop(tick); --left)

@@ -1,9 +1,9 @@
-// Writes a session down while it runs. The threads that keep time put their steps and ticks into rings, which is
-// all they ever wait for; a thread of the recorder's own empties the rings five times a second and waits until
-// the disk has the block. A kill or a power cut loses what the rings held and the block on its way.
+// Writes a session down while it runs. The threads that keep time put their steps and ticks into rings, which
+// is all they ever wait for; a thread of the recorder's own empties the rings five times a second and waits
+// until the disk has the block. A kill or a power cut loses what the rings held and the block on its way.
 //
-// When the disk is slower than the rings are long, or full, the recording ends there and failure() says so; the
-// threads that keep time do not notice.
+// When the disk is slower than the rings are long, or full, the recording ends there and failure() says so;
+// the threads that keep time do not notice.
 #pragma once
 
 #include <atomic>
@@ -29,18 +29,18 @@ struct RecorderSizes {
 
 class Recorder {
  public:
-  // A hash is as dear as a few products with the stiffness (docs/recording.md), so only every so many steps have one.
+  // The hash of 10 000 tetrahedra takes 0.18 ms (docs/recording.md), so only every so many steps have one.
   static constexpr std::uint64_t hash_stride = 250;
 
-  // Begins the file, with the scene in it when this returns; a recording that stood there is replaced, any other
-  // file is refused. `option` is what a user types to choose another name.
+  // Begins the file, with the scene in it when this returns; a recording that stood there is replaced, any
+  // other file is refused. `option` is what a user types to choose another name.
   static Result<std::unique_ptr<Recorder>> start(const std::string& path, const io::RecordedScene& scene,
                                                  const std::string& option, RecorderSizes sizes = {});
   // Without finish() the recording has no end: a session that was broken off.
   ~Recorder();
 
-  // The input of a step that was taken, and the hash of the state after it where hash_due() asked for it before.
-  // Wait-free; for the one thread that steps.
+  // The input of a step that was taken, and the hash of the state after it where hash_due() asked for it
+  // before. Wait-free; for the one thread that steps.
   void step(double travel, std::optional<std::uint64_t> hash = std::nullopt) noexcept;
   bool hash_due() const noexcept { return steps_ % hash_stride == 0; }
   // Wait-free; for the one thread that serves the device.
@@ -77,10 +77,10 @@ class Recorder {
   // Of the threads that keep time.
   Ring<Step> step_ring_;
   Ring<io::RecordedTick> tick_ring_;
-  std::uint64_t steps_ = 0;                    // given so far
-  std::atomic<std::uint64_t> first_lost_{0};   // step that found no room; 0: none
-  std::atomic<std::uint64_t> ticks_lost_{0};   // ever
-  std::atomic<bool> failed_{false};            // writing has stopped
+  std::uint64_t steps_ = 0;                   // given so far
+  std::atomic<std::uint64_t> first_lost_{0};  // step that found no room; 0: none
+  std::atomic<std::uint64_t> ticks_lost_{0};  // ever
+  std::atomic<bool> failed_{false};           // writing has stopped
 
   // Of the thread that writes.
   std::string path_;

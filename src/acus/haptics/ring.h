@@ -1,5 +1,5 @@
-// A queue from one thread to one other that never waits: wait-free at both ends, and nothing is allocated after
-// it is built.
+// A queue from one thread to one other that never waits: wait-free at both ends, and nothing is allocated
+// after it is built.
 #pragma once
 
 #include <atomic>
@@ -47,7 +47,8 @@ class Ring {
   }
 
  private:
-  static constexpr std::size_t cache_line = 64;  // bytes; each counter on its own, or the threads slow each other
+  static constexpr std::size_t cache_line =
+      64;  // bytes; each counter on its own, or the threads slow each other
 
   std::vector<T> slots_;
   alignas(cache_line) std::atomic<std::size_t> pushed_{0};  // ever; written by the one thread

@@ -9,6 +9,7 @@ std::string write_obstacle(int error_number, const std::string& option) {
   if (error_number == ENOSPC) return "the disk is full; free some space or write elsewhere with " + option;
   if (error_number == EACCES || error_number == EROFS || error_number == EPERM)
     return "writing there is not permitted; choose another folder with " + option;
+  if (error_number == ENOENT) return "its folder does not exist; make it first";
   if (error_number == EISDIR) return "a folder of that name stands in its place";
   return std::strerror(error_number);
 }

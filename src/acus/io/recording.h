@@ -33,7 +33,7 @@ struct RecordedSteps {
 
 // What a device measured and was told in one of its ticks.
 struct RecordedTick {
-  double time = 0.0;                // s, the device's clock
+  double time = 0.0;                 // s, the device's clock
   std::array<double, 3> position{};  // m, the device's frame
   std::array<float, 3> velocity{};   // m/s
   std::array<float, 3> force{};      // N, as it left for the device
@@ -54,15 +54,17 @@ struct RecordedEnd {
   HashedStep last;  // the number of steps done, and the state after them
 };
 
-using RecordedBlock =
-    std::variant<RecordedScene, RecordedSteps, RecordedTicks, RecordedGap, RecordedEnd>;
+using RecordedBlock = std::variant<RecordedScene, RecordedSteps, RecordedTicks, RecordedGap, RecordedEnd>;
 
 // No payload is longer, so that a damaged length cannot ask for much memory.
 inline constexpr std::size_t longest_payload = 16U << 20U;
 inline constexpr std::size_t most_steps_in_block = 1U << 16U;
 inline constexpr std::size_t most_ticks_in_block = 1U << 16U;
 
-inline constexpr std::string_view recording_mark{"\x89" "ACUS\r\n\x1a", 8};
+inline constexpr std::string_view recording_mark{
+    "\x89"
+    "ACUS\r\n\x1a",
+    8};
 inline constexpr std::size_t recording_head_size = 16;
 std::string recording_head();
 // Of the head, from which the checksums of the blocks continue.

@@ -166,9 +166,9 @@ Result<Recording> read_recording(std::istream& file, const std::string& name, Ti
   }
   if (file.bad()) return Error{name + ": cannot be read to its end: " + std::strerror(errno)};
   if (!recording.whole)
-    recording.loss =
-        at_byte(name, believed) + "the recording ends at " +
-        seconds(static_cast<double>(recording.travels.size()) * recording.scene.run.time_step) + ": " + (blocks.damage().empty() ? assembly.why_not_whole() : blocks.damage());
+    recording.loss = at_byte(name, believed) + "the recording ends at " +
+                     seconds(static_cast<double>(recording.travels.size()) * recording.scene.run.time_step) +
+                     ": " + (blocks.damage().empty() ? assembly.why_not_whole() : blocks.damage());
   else if (file.peek() != std::istream::traits_type::eof())
     recording.loss = at_byte(name, believed) + "what stands behind the end of the recording was not read";
   return recording;

@@ -12,12 +12,12 @@
 
 namespace acus::io {
 
-// What a recording of this scene begins with. The mesh file is named from the root of the file system, so that
-// the recording may be moved. Error: the mesh file cannot be read.
+// What a recording of this scene begins with. The mesh file is named from the root of the file system, so
+// that the recording may be moved. Error: the mesh file cannot be read.
 Result<RecordedScene> recorded_scene(const Scene& scene);
 
-// The simulation of the recorded scene with `settings` laid over it. Error: a setting is wrong, or tissue.mesh is
-// no longer the file that it was.
+// The simulation of the recorded scene with `settings` laid over it. Error: a setting is wrong, or
+// tissue.mesh is no longer the file that it was.
 Result<Simulation> build_replay(const Recording& recording, const std::vector<std::string>& settings = {});
 
 // Holds the states of a replay against the recorded hashes.

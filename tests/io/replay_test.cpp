@@ -1,0 +1,141 @@
+// `acus run --record` and `acus replay` as a user meets them.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "program.h"
+
+namespace acus::io {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+std::string with_one_byte_changed(std::string bytes, std::size_t at) {
+  bytes[at] = static_cast<char>(bytes[at] ^ 1);
+  return bytes;
+}
+
+// A folder with hand.acusrec in it: 1200 steps into a small block of tissue, buckling on the way.
+class Replay : public ::testing::Test {
+ protected:
+  Replay() : folder_(fresh_folder("replay")) {
+    const ProgramRun run =
+        run_program({"run", ACUS_SOURCE_DIR "/scenes/default.toml", "--set", "tissue.tetrahedra=300", "--set",
+                     "hand.travel_mm=24", "--set", "hand.speed_mm_s=20", "--record", "hand.acusrec", "--json",
+                     "--out", "recorded"},
+                    folder_);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.err, "");
+    recorded_ = json::parse(run.out, nullptr, false);
+  }
+  ~Replay() override { fs::remove_all(folder_); }
+
+  ProgramRun replay(std::vector<std::string> more) const {
+    std::vector<std::string> words = {"replay"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_program(words, folder_);
+  }
+  std::string recording() const { return file_text(folder_ + "/hand.acusrec"); }
+  void write(const std::string& name, const std::string& bytes) const {
+    std::ofstream(folder_ + "/" + name, std::ios::binary) << bytes;
+  }
+
+  std::string folder_;
+  json recorded_;
+};
+
+TEST_F(Replay, gives_the_same_bits_and_the_same_files) {
+  const ProgramRun run = replay({"hand.acusrec", "--json", "--out", "replayed"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  const json replayed = json::parse(run.out);
+  EXPECT_EQ(replayed["state_hash"], recorded_["state_hash"]);
+  EXPECT_EQ(replayed["scene"], recorded_["scene"]);
+  EXPECT_EQ(replayed["steps"], 1200);
+  for (const char* name : {"/trace.csv", "/events.csv"})
+    EXPECT_EQ(file_text(folder_ + "/replayed" + name), file_text(folder_ + "/recorded" + name)) << name;
+  EXPECT_NE(replay({"hand.acusrec"}).out.find("The same bits: the 6 recorded states of 1200 steps"),
+            std::string::npos);
+  EXPECT_EQ(replay({"hand.acusrec", "--quiet"}).out, "");
+}
+
+// 150 mm carry 1.142 N before they buckle and 200 mm only 0.642 N (Euler, clamped-pinned); this hand pushes
+// with more.
+TEST_F(Replay, takes_the_same_hand_with_another_needle) {
+  EXPECT_EQ(recorded_["predicted_loads_N"].empty(), false);
+  const ProgramRun run =
+      replay({"hand.acusrec", "--set", "needle.length_mm=300", "--json", "--out", "other"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const json other = json::parse(run.out);
+  EXPECT_EQ(other["scene"]["needle"]["length_mm"], 300.0);
+  EXPECT_NE(other["state_hash"], recorded_["state_hash"]);
+  EXPECT_LT(other["peak_hand_force_N"], recorded_["peak_hand_force_N"]);
+  EXPECT_NE(replay({"hand.acusrec", "--set", "needle.length_mm=300"}).out.find("nothing was compared"),
+            std::string::npos);
+  const ProgramRun wrong = replay({"hand.acusrec", "--set", "needle.lenght_mm=300"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.err.find("needle.length_mm"), std::string::npos) << wrong.err;
+}
+
+TEST_F(Replay, of_a_recording_that_was_cut_off_goes_as_far_as_it_does) {
+  write("cut.acusrec", recording().substr(0, recording().size() - 10));  // within its end
+  const ProgramRun cut = replay({"cut.acusrec"});
+  EXPECT_EQ(cut.exit_code, 0);
+  EXPECT_NE(cut.err.find("acus: cut.acusrec: byte "), std::string::npos) << cut.err;
+  EXPECT_NE(cut.err.find("the recording ends at 1.200 s: its next block is cut off"), std::string::npos)
+      << cut.err;
+  EXPECT_NE(cut.out.find("The same bits"), std::string::npos) << cut.out;
+}
+
+TEST_F(Replay, of_what_cannot_be_used_is_refused_in_one_sentence) {
+  write("empty", "");
+  write("notes", "notes of the user, longer than the head of a recording\n");
+  write("head", recording().substr(0, 400));
+  write("scene", with_one_byte_changed(recording(), 100));
+  for (const auto& [name, said] : std::vector<std::pair<std::string, std::string>>{
+           {"empty", "the file is empty"},
+           {"notes", "byte 0: this is no recording"},
+           {"head", "byte 16: the scene of the recording is missing or damaged"},
+           {"scene", "byte 16: the scene of the recording is missing or damaged"},
+           {"absent", "there is no such file"},
+           {".", "is not a regular file"}}) {
+    const ProgramRun run = replay({name});
+    EXPECT_EQ(run.exit_code, 2) << name;
+    EXPECT_EQ(run.err.rfind("acus: " + name + ": " + said, 0), 0U) << run.err;
+    EXPECT_EQ(run.out, "");
+  }
+}
+
+TEST_F(Replay, with_a_mesh_that_was_changed_is_refused) {
+  const std::string mesh = file_text(ACUS_SOURCE_DIR "/tests/fixtures/meshes/MESH");
+  write("tissue.msh", mesh);
+  const ProgramRun run =
+      run_program({"run", ACUS_SOURCE_DIR "/scenes/default.toml", "--set", "tissue.mesh=tissue.msh", "--set",
+                   "hand.travel_mm=0.1", "--record", "mesh.acusrec", "--quiet"},
+                  folder_);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  fs::create_directory(folder_ + "/elsewhere");
+  fs::rename(folder_ + "/mesh.acusrec", folder_ + "/elsewhere/mesh.acusrec");
+  EXPECT_EQ(replay({"elsewhere/mesh.acusrec", "--quiet"}).exit_code, 0);
+  write("tissue.msh", mesh + "\n");
+  const ProgramRun changed = replay({"elsewhere/mesh.acusrec"});
+  EXPECT_EQ(changed.exit_code, 2);
+  EXPECT_NE(changed.err.find("tissue.msh: this mesh was changed after the recording was made"),
+            std::string::npos)
+      << changed.err;
+}
+
+TEST_F(Replay, is_recorded_into_a_recording_and_nothing_else) {
+  write("notes", "notes of the user\n");
+  const ProgramRun run =
+      run_program({"run", ACUS_SOURCE_DIR "/scenes/bare_column.toml", "--record", "notes"}, folder_);
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("notes: is there already and is no recording"), std::string::npos) << run.err;
+  EXPECT_EQ(file_text(folder_ + "/notes"), "notes of the user\n");
+}
+
+}  // namespace
+}  // namespace acus::io

@@ -1,10 +1,15 @@
 // `acus run --record` and `acus replay` as a user meets them.
+#include "acus/io/replay.h"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 
+#include "acus/io/insertion.h"
+#include "acus/io/summary_json.h"
 #include "program.h"
 
 namespace acus::io {
@@ -62,8 +67,8 @@ TEST_F(Replay, gives_the_same_bits_and_the_same_files) {
   EXPECT_EQ(replay({"hand.acusrec", "--quiet"}).out, "");
 }
 
-// 150 mm carry 1.142 N before they buckle and 200 mm only 0.642 N (Euler, clamped-pinned); this hand pushes
-// with more.
+// Clamped and pinned, 200 mm carry 0.642 N before they buckle and 300 mm only 0.285 N (Euler); this hand
+// pushes harder. with more.
 TEST_F(Replay, takes_the_same_hand_with_another_needle) {
   EXPECT_EQ(recorded_["predicted_loads_N"].empty(), false);
   const ProgramRun run =
@@ -110,7 +115,7 @@ TEST_F(Replay, of_what_cannot_be_used_is_refused_in_one_sentence) {
 }
 
 TEST_F(Replay, with_a_mesh_that_was_changed_is_refused) {
-  const std::string mesh = file_text(ACUS_SOURCE_DIR "/tests/fixtures/meshes/MESH");
+  const std::string mesh = file_text(ACUS_SOURCE_DIR "/tests/fixtures/meshes/gmsh_22.msh");
   write("tissue.msh", mesh);
   const ProgramRun run =
       run_program({"run", ACUS_SOURCE_DIR "/scenes/default.toml", "--set", "tissue.mesh=tissue.msh", "--set",
@@ -126,6 +131,70 @@ TEST_F(Replay, with_a_mesh_that_was_changed_is_refused) {
   EXPECT_NE(changed.err.find("tissue.msh: this mesh was changed after the recording was made"),
             std::string::npos)
       << changed.err;
+}
+
+// A recording of the bare column with a hash after each of three steps, as if the engine had given other
+// bits.
+struct Claim {
+  std::vector<double> travels = {1e-5, 2e-5, 3e-5};  // m
+  std::size_t false_hash = 99;                       // which of them is not the engine's
+  std::string versions = json_text(versions_json());
+};
+
+std::string bytes_of(const Claim& claim) {
+  Scene scene;
+  scene.tissue.rigid = true;
+  auto simulation = build_simulation(scene);
+  RecordedSteps steps{1, claim.travels, {}};
+  for (std::size_t i = 0; i < claim.travels.size(); ++i) {
+    simulation->step(claim.travels[i]);
+    steps.hashes.push_back({i + 1, simulation->state_hash() + (i == claim.false_hash ? 1 : 0)});
+  }
+  RecordedScene recorded = *recorded_scene(scene);
+  recorded.versions = claim.versions;
+  std::uint32_t checksum = recording_head_checksum();
+  std::string bytes = recording_head() + block_bytes(recorded, checksum);
+  bytes += block_bytes(steps, checksum);
+  return bytes + block_bytes(RecordedEnd{steps.hashes.back()}, checksum);
+}
+
+TEST_F(Replay, that_differs_names_the_first_step_that_does) {
+  write("true.acusrec", bytes_of({}));
+  EXPECT_EQ(replay({"true.acusrec"}).exit_code, 0);
+  Claim claim;
+  claim.false_hash = 1;
+  write("false.acusrec", bytes_of(claim));
+  for (const char* flag : {"--quiet", "--json"}) {
+    const ProgramRun run = replay({"false.acusrec", flag});
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_EQ(run.err.rfind("acus: false.acusrec: the replay differs: step 2 leaves another state, ", 0), 0U)
+        << run.err;
+    EXPECT_NE(run.err.find("step 1 was the last one found the same"), std::string::npos) << run.err;
+    EXPECT_EQ(run.err.find("another program"), std::string::npos) << run.err;
+  }
+  claim.versions = R"({"acus": "0.0.1"})";
+  write("old.acusrec", bytes_of(claim));
+  const ProgramRun old = replay({"old.acusrec", "--quiet"});
+  EXPECT_EQ(old.exit_code, 1);
+  EXPECT_NE(old.err.find("the recording is of another program: acus was \"0.0.1\" and is "),
+            std::string::npos)
+      << old.err;
+}
+
+// As the run that was recorded, the replay says which step failed.
+TEST_F(Replay, of_a_run_that_failed_fails_at_the_same_step) {
+  Claim claim;
+  claim.travels[2] = std::numeric_limits<double>::quiet_NaN();
+  write("failed.acusrec", bytes_of(claim));
+  const ProgramRun run = replay({"failed.acusrec"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.err.find("the run failed at "), std::string::npos) << run.err;
+  EXPECT_EQ(run.err.find("differs"), std::string::npos) << run.err;
+  EXPECT_NE(run.out.find("The same bits: the 3 recorded states of 3 steps"), std::string::npos) << run.out;
+  claim.travels = {1e-5, 1e300, 2e-5};
+  claim.false_hash = 99;
+  write("far.acusrec", bytes_of(claim));
+  EXPECT_EQ(replay({"far.acusrec", "--quiet"}).exit_code, 1);
 }
 
 TEST_F(Replay, is_recorded_into_a_recording_and_nothing_else) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -93,6 +94,26 @@ TEST_F(Replay, of_a_recording_that_was_cut_off_goes_as_far_as_it_does) {
   EXPECT_NE(cut.err.find("the recording ends at 1.200 s: its next block is cut off"), std::string::npos)
       << cut.err;
   EXPECT_NE(cut.out.find("The same bits"), std::string::npos) << cut.out;
+}
+
+// The same from within, in real time and with every lost step counted, is
+// tests/haptics/recorder_kill_test.cpp.
+TEST_F(Replay, of_a_run_that_was_killed_gives_the_bits_that_it_had) {
+  for (const char* life : {"0.3", "0.6", "0.9"}) {
+    fs::remove(folder_ + "/killed.acusrec");
+    const std::string command = "cd " + folder_ + " && timeout -s KILL " + life +
+                                " " ACUS_BUILD_DIR "/acus run " ACUS_SOURCE_DIR
+                                "/scenes/default.toml --set tissue.tetrahedra=300 --set hand.speed_mm_s=0.1 "
+                                "--record killed.acusrec --quiet > stdout.txt 2> stderr.txt";
+    EXPECT_NE(std::system(command.c_str()), 0) << "it came to its end; make the hand slower";
+    if (!fs::exists(folder_ + "/killed.acusrec")) continue;  // killed before its first step
+    const ProgramRun run = replay({"killed.acusrec"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_NE(run.err.find("killed.acusrec: byte "), std::string::npos) << run.err;
+    EXPECT_EQ(run.out.find("The same bits") != std::string::npos,
+              run.err.find("ends at 0.000 s") == std::string::npos)
+        << run.out << run.err;
+  }
 }
 
 TEST_F(Replay, of_what_cannot_be_used_is_refused_in_one_sentence) {

@@ -1,11 +1,11 @@
-// Counts every operator new of the program that includes this, once.
+// Counts every operator new of the program, whose one source file includes this.
 #pragma once
 
 #include <cstdlib>
 #include <new>
 
 namespace {
-long allocations = 0;
+thread_local long allocations = 0;  // of this thread: others may do as they like
 }
 
 // Not inlined, lest the compiler see a free for a new and warn of it.

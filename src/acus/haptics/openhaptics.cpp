@@ -135,7 +135,6 @@ std::optional<Error> OpenHaptics::take() {
                                               : styles & hd::calibrates_in_inkwell ? hd::calibrates_in_inkwell
                                                                                    : 0);
   read_limits();
-  driver_.forget_errors();  // of what this model was asked and does not know
   return std::nullopt;
 }
 
@@ -182,7 +181,7 @@ std::optional<Error> OpenHaptics::serve(Tick& tick, const std::atomic<bool>& sto
 std::optional<Error> OpenHaptics::start() {
   driver_.make_current_device(handle_);
   driver_.set_scheduler_rate(rate);
-  driver_.forget_errors();  // a driver with a rate of its own keeps it
+  driver_.forget_errors();  // a driver may keep a rate of its own, and not know all of its limits
   driver_.enable(hd::force_output);
   schedule_ = driver_.schedule_asynchronous(&on_frame, this, hd::max_priority);
   driver_.start_scheduler();

@@ -225,6 +225,16 @@ TEST(WrongInput, every_wrong_command_is_refused_with_advice) {
       {{"run", "ok.toml", "--out", "/proc/acus"}, {"/proc/acus"}},
       {{"check"}, {"check needs a scene file"}},
       {{"check", "absent.toml"}, {"no such file"}},
+      {{"device"}, {"--help"}},
+      {{"device", "check"}, {"NAME", "--help"}},
+      {{"device", "check", "nothing"}, {"there is no device 'nothing'", "acus device list"}},
+      {{"device", "check", "simulted"}, {"did you mean 'simulated'?"}},
+      {{"device", "check", "simulated:phantom"}, {"no device 'phantom' to simulate", "touch"}},
+      {{"device", "check", "openhaptics"}, {"libHD.so", "ACUS_LIBHD"}},
+      {{"serve"}, {"SCENE", "--help"}},
+      {{"serve", "absent.toml"}, {"no such file"}},
+      {{"serve", "ok.toml", "--device", "force_dimension"}, {"libdhd.so", "ACUS_LIBDHD"}},
+      {{"serve", "ok.toml", "--force-limit", "-1"}, {"--force-limit"}},
   };
   for (const WrongWords& wrong : all) {
     std::string name = "acus";

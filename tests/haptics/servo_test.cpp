@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 namespace acus::haptics {
 namespace {
@@ -160,6 +161,45 @@ TEST(Servo, never_tells_the_simulation_a_number_that_is_none) {
     EXPECT_TRUE(std::isfinite(loop.servo.hub_travel())) << which;
     EXPECT_EQ(loop.servo.gate().fault(), GateFault::not_finite) << which;
   }
+}
+
+// Every number that comes in is now and then none, infinite or absurd. What goes out is finite and within the
+// limit in every tick, and once all is well and somebody rearms the gate, the needle is felt again.
+TEST(Servo, stands_a_million_ticks_of_broken_numbers_at_every_interface) {
+#ifdef __SANITIZE_ADDRESS__
+  constexpr long ticks = 100'000;
+#else
+  constexpr long ticks = 1'000'000;
+#endif
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
+                   inf = std::numeric_limits<double>::infinity();
+  const double oddities[] = {nan, inf, -inf, 1e300, -1e300};
+  Servo servo({touch(), 0.0, 0.0, 1e-3});
+  std::mt19937 random(3);
+  long felt = 0, faults = 0;
+  for (long i = 0; i < ticks; ++i) {
+    const double t = static_cast<double>(i) * 1e-3;
+    DeviceState state;
+    state.time = t;
+    state.position = Vec3(0.0, 0.0, i % 2000 < 700 ? 0.0 : -5e-3);
+    state.ready = true;
+    const double hub = servo.hub_travel();
+    LocalForce word{t, hub, 100.0 * std::max(hub, 0.0), 100.0, 5e-3, false};
+    if (i % 1000 == 999) {
+      double* const fields[] = {&state.time,         &state.position.x(), &state.position.z(),
+                                &state.velocity.y(), &word.time,          &word.travel,
+                                &word.force,         &word.stiffness,     &word.radius};
+      *fields[random() % std::size(fields)] = oddities[random() % std::size(oddities)];
+    }
+    const Wrench out = servo.tick(state, word);
+    ASSERT_TRUE(out.force.allFinite() && out.torque.allFinite()) << i;
+    ASSERT_LE(out.force.norm(), touch().peak_force * (1.0 + 1e-15)) << i;
+    ASSERT_TRUE(std::isfinite(servo.hub_travel())) << i;
+    felt += out.force.norm() > 0.1;
+    if (servo.gate().fault() != GateFault::none) ++faults, servo.rearm();
+  }
+  EXPECT_GT(faults, ticks / 4000);
+  EXPECT_GT(felt, ticks / 10);
 }
 
 TEST(Servo, obeys_the_persons_own_limit) {

@@ -31,6 +31,7 @@ LocalForce Servo::blended(const LocalForce& local, double now) noexcept {
     const double left = blend_time_ > 0.0 ? std::max(1.0 - (now - blend_from_) / blend_time_, 0.0) : 0.0;
     const bool follows = known_.time >= 0.0 && !local.jumped;
     offset_ = follows ? left * offset_ + force_at(known_, hub_travel_) - force_at(local, hub_travel_) : 0.0;
+    if (!std::isfinite(offset_)) offset_ = 0.0;  // one bad word must not spoil those after it
     blend_from_ = now;
     blend_time_ = follows ? std::clamp(local.time - known_.time, 0.0, longest) : 0.0;
     known_ = local;

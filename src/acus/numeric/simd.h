@@ -36,7 +36,8 @@ inline constexpr int lane_count = sizeof(ElementLane<Real>) / sizeof(Real);
 // Compiles a kernel for several instruction sets and picks one when the program starts. Fused multiply-add is
 // never used (-ffp-contract=off), so all give the same bits. Sanitizers do not go together with the
 // resolvers, and clang 14 will not pass vectors to an inlined function from a clone.
-#if defined(__x86_64__) && defined(__linux__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(__x86_64__) && defined(__linux__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
 #define ACUS_KERNEL __attribute__((target_clones("avx512f", "avx2", "default")))
 #else
 #define ACUS_KERNEL

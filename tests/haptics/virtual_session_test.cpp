@@ -6,6 +6,8 @@
 
 #include <ostream>
 
+#include "acus/needle/buckling.h"
+
 namespace acus::haptics {
 namespace {
 
@@ -60,6 +62,26 @@ INSTANTIATE_TEST_SUITE_P(Of, VirtualSession,
                                          Held{"ice", "light grip", light_grip, 5e-3},
                                          Held{"inverse3", "whole arm", whole_arm, 5e-3},
                                          Held{"omega", "whole arm", whole_arm, 5e-3}));
+
+// The same push as in haptic_loop_test.cpp, where nothing comes late: the hand feels the bare column buckle.
+TEST(BareColumn, is_felt_to_buckle_at_its_critical_load) {
+  Trial trial = pushing({"touch", "light grip", light_grip, 1e-3});
+  trial.scene.tissue.rigid = true;
+  trial.plan = [](double t) { return std::clamp(40e-3 * (t - 0.8), 0.0, 40e-3); };  // m
+  trial.duration = 2.5;
+  const Finding found = run(trial);
+  const double critical =
+      needle::critical_load(needle::bending_rigidity(trial.scene.needle), 0.2, trial.scene.needle.support);
+  EXPECT_EQ(found.fault, GateFault::none);
+  EXPECT_NEAR(found.frame.hand_force, critical, 0.1 * critical);
+  // At worst the hub stops dead, and handle and hand run on into the coupling: v sqrt(K m) and what is
+  // stretched in the two milliseconds before the simulation has answered.
+  const VirtualCoupling coupling = coupling_for(trial.device, 1e-3);
+  const double speed = 40e-3, mass = trial.device.mass + trial.hand.mass;
+  EXPECT_GT(found.largest_force, 0.9 * critical);
+  EXPECT_LT(found.largest_force, critical + speed * (std::sqrt(coupling.stiffness * mass) + coupling.damping +
+                                                     2e-3 * coupling.stiffness));
+}
 
 TEST(StalledSimulation, leaves_the_hand_with_nothing_within_100_ms) {
   Trial trial = pushing({"touch", "whole arm", whole_arm, 5e-3});

@@ -32,7 +32,9 @@ class LoopTick final : public Tick {
     const double start = monotonic_time();
     if (last_ > 0.0) report_.period.add(start - last_);
     last_ = start;
-    const Wrench wrench = servo_.tick(state, exchange_.needle.read());
+    const LocalForce& word = exchange_.needle.read();
+    if (word.time >= 0.0) report_.age.add(state.time - word.time);
+    const Wrench wrench = servo_.tick(state, word);
     exchange_.hub.write({servo_.hub_travel(), state.time, start});
     report_.largest_force = std::max(report_.largest_force, wrench.force.norm());
     report_.work.add(monotonic_time() - start);

@@ -14,6 +14,7 @@ struct LoopReport {
   DurationHistogram period;     // from one tick to the next
   DurationHistogram work;       // of our part of a tick
   DurationHistogram step;       // of the simulation's steps
+  DurationHistogram age;        // of the simulation's word when a tick used it
   double wall_time = 0.0;       // s, of the simulation's thread
   double simulated_time = 0.0;  // s
   double time_step = 0.0;       // s, of the simulation

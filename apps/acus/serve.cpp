@@ -5,6 +5,7 @@
 #include "acus/haptics/backends.h"
 #include "acus/haptics/haptic_loop.h"
 #include "acus/haptics/stop_after.h"
+#include "acus/haptics/virtual_coupling.h"
 #include "acus/io/insertion.h"
 #include "acus/io/scene_toml.h"
 #include "interruption.h"
@@ -15,10 +16,10 @@ namespace acus::app {
 int do_serve(const ServeOptions& options) {
   const Result<Scene> scene = io::read_scene(options.scene, options.settings);
   if (!scene) return refused(scene.error().sentence, bad_input);
-  Result<Simulation> simulation = io::build_simulation(*scene);
-  if (!simulation) return refused(options.scene + ": " + simulation.error().sentence, bad_input);
   Result<std::unique_ptr<haptics::Device>> device = haptics::open_device(options.device);
   if (!device) return refused(device.error().sentence, bad_input);
+  Result<Simulation> simulation = io::build_simulation(haptics::held_by((*device)->limits(), *scene));
+  if (!simulation) return refused(options.scene + ": " + simulation.error().sentence, bad_input);
   haptics::LoopSettings settings;
   settings.force_limit = options.force_limit;
   std::printf(

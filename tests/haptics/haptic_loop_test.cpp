@@ -29,15 +29,15 @@ LoopOutcome run_for(double duration, Simulation& simulation) {
 
 TEST(HapticLoop, lets_the_hand_feel_the_needle_buckle) {
   const Scene scene = testing_machine();
-  Result<Simulation> simulation = Simulation::build(scene);
+  Result<Simulation> simulation = Simulation::build(held_by(*find_device_limits("touch"), scene));
   const LoopOutcome outcome = run_for(2.5, *simulation);
   const LoopReport& report = outcome.report;
   EXPECT_FALSE(outcome.lost);
   EXPECT_GT(report.period.count(), 100);
   EXPECT_GT(report.step.count(), 100);
   EXPECT_EQ(report.health, Health::good);
-  if (report.fault !=
-      GateFault::none) {  // whoever shares the processor stalled the loop: was the gate right?
+  if (report.fault != GateFault::none) {
+    // Whoever shares the processor stalled the loop: was the gate right?
     EXPECT_EQ(report.fault, GateFault::stale);
     EXPECT_GT(report.age.longest(), 0.045);
     return;
@@ -56,7 +56,7 @@ TEST(HapticLoop, lets_the_hand_feel_the_needle_buckle) {
 // A simulation that ends with a failed step falls silent, and the loop goes on without force.
 TEST(HapticLoop, goes_on_without_force_when_the_simulation_fails) {
   Scene scene = testing_machine();
-  Result<Simulation> simulation = Simulation::build(scene);
+  Result<Simulation> simulation = Simulation::build(held_by(*find_device_limits("touch"), scene));
   simulation->step(std::nan(""));
   const LoopOutcome outcome = run_for(0.3, *simulation);
   EXPECT_EQ(outcome.report.health, Health::not_finite);

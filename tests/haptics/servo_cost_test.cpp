@@ -45,7 +45,7 @@ TEST(ServoCost, hooks_see_what_they_are_for) {
 TEST(ServoCost, a_million_ticks_allocate_lock_and_fault_nothing) {
   Servo servo({*find_device_limits("touch"), 0.0, -1e-3, 1e-3});
   NewestValue<LocalForce> mailbox;
-  NewestValue<double> hub;
+  NewestValue<double> hand;
   const auto tick = [&](long i) {
     DeviceState state;
     state.time = static_cast<double>(i) * 1e-3;
@@ -53,9 +53,9 @@ TEST(ServoCost, a_million_ticks_allocate_lock_and_fault_nothing) {
         Vec3(0.0, 0.0, i < 1000 ? 0.0 : -5e-3 + 5e-3 * std::cos(static_cast<double>(i - 1000) * 1e-3));
     state.ready = true;
     if (i % 5 == 0)
-      mailbox.write({state.time, hub.read(), 100.0 * std::max(hub.read(), 0.0), 100.0, 10e-3, i % 50 == 0});
+      mailbox.write({state.time, hand.read(), 100.0 * std::max(hand.read(), 0.0), 100.0, 10e-3, i % 50 == 0});
     const Wrench wrench = servo.tick(state, mailbox.read());
-    hub.write(servo.hub_travel());
+    hand.write(servo.hand_travel());
     return wrench.force.norm();
   };
   double largest = 0.0;

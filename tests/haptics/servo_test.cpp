@@ -1,4 +1,4 @@
-// One tick of the loop: what the coupling balances, how a slow simulation is felt, and what a broken one
+// One tick of the loop: what the coupling shows, how a slow simulation is felt, and what a broken one
 // does.
 #include "acus/haptics/servo.h"
 
@@ -57,27 +57,15 @@ TEST(VirtualCoupling, is_half_as_stiff_as_sampling_and_delay_allow) {
   EXPECT_EQ(coupling_for(limits, 1e-3).stiffness, 30.0);  // what its maker allows
 }
 
-TEST(VirtualCoupling, stands_in_series_with_the_needle) {
-  const VirtualCoupling coupling{400.0, 0.0};
-  const LocalForce needle{0.0, 2e-3, 0.5, 100.0, 1.0, false};
-  for (double device : {0.0, 2e-3, 10e-3}) {
-    const double hub = balanced_hub(coupling, needle, device);
-    EXPECT_NEAR(400.0 * (device - hub), force_at(needle, hub), 1e-12);
-  }
-  // A steel needle against a wall is some 300 kN/m: the device still feels the coupling alone.
-  const LocalForce steel{0.0, 0.0, 0.0, 3e5, 1.0, false};
-  EXPECT_NEAR(400.0 * (1e-3 - balanced_hub(coupling, steel, 1e-3)), 0.4, 1e-3);
-}
-
-TEST(VirtualCoupling, keeps_the_hub_within_what_the_simulation_knows) {
-  const LocalForce free{0.0, 0.0, 0.0, 0.0, 1e-3, false};
-  EXPECT_EQ(balanced_hub({400.0, 0.0}, free, 50e-3), 1e-3);
-  EXPECT_EQ(balanced_hub({400.0, 0.0}, free, -50e-3), -1e-3);
-}
-
-TEST(VirtualCoupling, has_one_balance_with_a_needle_that_gives_way) {
-  const LocalForce falling{0.0, 0.0, 1.0, -500.0, 1.0, false};
-  EXPECT_NEAR(balanced_hub({400.0, 0.0}, falling, 10e-3), 10e-3 - 1.0 / 400.0, 1e-12);
+TEST(VirtualCoupling, is_the_grip_of_the_scene_unless_that_is_softer) {
+  const double coupling = coupling_for(touch()).stiffness;
+  Scene scene;
+  EXPECT_EQ(scene.hand.stiffness, 0.0);  // a rigid grip
+  EXPECT_EQ(held_by(touch(), scene).hand.stiffness, coupling);
+  scene.hand.stiffness = 1e5;
+  EXPECT_EQ(held_by(touch(), scene).hand.stiffness, coupling);
+  scene.hand.stiffness = 90.0;
+  EXPECT_EQ(held_by(touch(), scene).hand.stiffness, 90.0);
 }
 
 // --- the tick
@@ -87,7 +75,22 @@ TEST(Servo, shows_the_force_of_the_needle_to_a_hand_at_rest) {
   double force = 0.0;
   for (int i = 0; i < 50; ++i) force = loop.tick(5e-3, loop.fresh(3e-3, 0.7, 0.0));
   EXPECT_NEAR(force, 0.7, 1e-12);
-  EXPECT_NEAR(loop.servo.hub_travel(), -1e-3 + 5e-3 - 0.7 / loop.servo.coupling().stiffness, 1e-12);
+  EXPECT_NEAR(loop.servo.hand_travel(), -1e-3 + 5e-3, 1e-12);
+}
+
+// Whatever the simulation says, the hand meets no stiffer spring than the device can show, and none that pulls.
+TEST(Servo, shows_no_stiffer_spring_than_the_coupling) {
+  const auto rise_over_1_mm = [](double stiffness) {
+    Armed loop;
+    const LocalForce word = loop.fresh(4e-3, 0.7, stiffness);
+    double before = 0.0, after = 0.0;
+    for (int i = 0; i < 8; ++i) before = loop.tick(5e-3, word);
+    for (int i = 0; i < 8; ++i) after = loop.tick(6e-3, word);
+    return after - before;
+  };
+  EXPECT_NEAR(rise_over_1_mm(3e5), 1e-3 * coupling_for(touch()).stiffness, 1e-12);
+  EXPECT_NEAR(rise_over_1_mm(100.0), 0.1, 1e-12);
+  EXPECT_NEAR(rise_over_1_mm(-500.0), 0.0, 1e-12);
 }
 
 TEST(Servo, holds_the_hand_on_the_axis_of_the_needle) {
@@ -105,13 +108,13 @@ TEST(Servo, is_continuous_between_the_words_of_a_slow_simulation) {
   for (int i = 0; i < 400; ++i) {
     const double way = 1e-3 + 10e-3 * i * 1e-3;  // 10 mm/s
     // The needle is a spring of 60 N/m, the word says 50: each word corrects the force by some 2 mN.
-    if (i % 20 == 0) word = loop.fresh(loop.servo.hub_travel(), 60.0 * loop.servo.hub_travel(), 50.0);
+    if (i % 20 == 0) word = loop.fresh(loop.servo.hand_travel(), 60.0 * loop.servo.hand_travel(), 50.0);
     const double force = loop.tick(way, word);
     if (i > 40) largest_step = std::max(largest_step, std::abs(force - before));
     before = force;
   }
   EXPECT_LT(largest_step, 1e-3);
-  EXPECT_NEAR(before, 60.0 * loop.servo.hub_travel(), 3e-3);
+  EXPECT_NEAR(before, 60.0 * loop.servo.hand_travel(), 3e-3);
 }
 
 TEST(Servo, lets_the_drop_of_a_puncture_through_within_two_ticks) {
@@ -148,7 +151,7 @@ TEST(Servo, is_at_zero_within_100_ms_of_the_simulations_last_word) {
   EXPECT_EQ(grown_old(99), 0.0);
 }
 
-// What is no number, from either side, turns the force off and leaves the hub where it was.
+// What is no number, from either side, turns the force off and leaves the hand where it was.
 TEST(Servo, never_tells_the_simulation_a_number_that_is_none) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (int which = 0; which < 4; ++which) {
@@ -158,7 +161,7 @@ TEST(Servo, never_tells_the_simulation_a_number_that_is_none) {
     (which == 0 ? way : which == 1 ? word.force : which == 2 ? word.stiffness : word.travel) = nan;
     const double force = loop.tick(way, word);
     EXPECT_TRUE(std::isfinite(force)) << which;
-    EXPECT_TRUE(std::isfinite(loop.servo.hub_travel())) << which;
+    EXPECT_TRUE(std::isfinite(loop.servo.hand_travel())) << which;
     EXPECT_EQ(loop.servo.gate().fault(), GateFault::not_finite) << which;
   }
 }
@@ -183,18 +186,19 @@ TEST(Servo, stands_a_million_ticks_of_broken_numbers_at_every_interface) {
     state.time = t;
     state.position = Vec3(0.0, 0.0, i % 2000 < 700 ? 0.0 : -5e-3);
     state.ready = true;
-    const double hub = servo.hub_travel();
-    LocalForce word{t, hub, 100.0 * std::max(hub, 0.0), 100.0, 5e-3, false};
+    const double travel = servo.hand_travel();
+    LocalForce word{t, travel, 100.0 * std::max(travel, 0.0), 100.0, 5e-3, false};
     if (i % 1000 == 999) {
       double* const fields[] = {&state.time,         &state.position.x(), &state.position.z(),
                                 &state.velocity.y(), &word.time,          &word.travel,
-                                &word.force,         &word.stiffness,     &word.radius};
+                                &word.force,         &word.stiffness,     &word.radius,
+                                &word.work,          &word.felt};
       *fields[random() % std::size(fields)] = oddities[random() % std::size(oddities)];
     }
     const Wrench out = servo.tick(state, word);
     ASSERT_TRUE(out.force.allFinite() && out.torque.allFinite()) << i;
     ASSERT_LE(out.force.norm(), touch().peak_force * (1.0 + 1e-15)) << i;
-    ASSERT_TRUE(std::isfinite(servo.hub_travel())) << i;
+    ASSERT_TRUE(std::isfinite(servo.hand_travel())) << i;
     felt += out.force.norm() > 0.1;
     if (servo.gate().fault() != GateFault::none) ++faults, servo.rearm();
   }

@@ -88,8 +88,10 @@ TEST(StalledSimulation, leaves_the_hand_with_nothing_within_100_ms) {
   trial.duration = 1.9;  // the needle is bent and pushes back
   const double pushing_back = run(trial).last_force;
   ASSERT_GT(pushing_back, 0.4);
-  trial.stalled = [](double s) { return s > 1.8; };
+  trial.stalls = 1.8;
+  trial.duration = 2.0;
   const Finding found = run(trial);
+  EXPECT_LE(found.longest_force_after_stall, 0.1);
   EXPECT_EQ(found.last_force, 0.0);
   EXPECT_EQ(found.fault, GateFault::stale);
 }

@@ -92,6 +92,21 @@ RC_GTEST_PROP(ColumnProperty, stiffness_is_the_slope_of_the_load, ()) {
   RC_ASSERT(std::abs(slope - response(c, shortening).stiffness) < 1e-5 * bar);
 }
 
+// A spring in series, of any stiffness beside the column's: both carry one load and share the way.
+RC_GTEST_PROP(ColumnProperty, grip_that_gives_way_carries_the_same_load, ()) {
+  const Case c = any_case(true);
+  // Up to where every support's load still rises: beyond, a soft grip has more than one balance.
+  const double shortening = *rc::gen::inRange(0, 2) == 0 ? any_between(-2.0, 4.0) * c.buckling_shortening
+                                                         : any_between(-0.001, 0.4) * c.free_length;
+  const double load = response(c, shortening).load;
+  const double compliance = any_of_any_size(1e-6, 1.0) * c.free_length / c.euler;
+  const ColumnResponse held =
+      column_response(c.column, c.free_length, shortening + load * compliance, compliance);
+  RC_ASSERT(std::abs(held.load - load) < 1e-9 * (c.euler + std::abs(load)));
+  RC_ASSERT(std::abs(held.energy - response(c, shortening).energy) <=
+            1e-8 * (c.euler * c.free_length + std::abs(held.energy)));
+}
+
 // Bow and compression add up to the shortening that was asked for: the equation is solved.
 RC_GTEST_PROP(ColumnProperty, bow_and_compression_add_up_to_the_shortening, ()) {
   const Case c = any_case(true);

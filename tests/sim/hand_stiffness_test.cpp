@@ -11,6 +11,7 @@ namespace {
 struct Case {
   const char* name;
   double length, travel, time_step, tolerance;  // m, m, s, -
+  double grip = 0.0;                            // N/m
 };
 
 class HandStiffness : public testing::TestWithParam<Case> {};
@@ -20,6 +21,7 @@ Scene scene_of(const Case& c) {
   scene.needle.length = c.length;
   scene.tissue.tetrahedra = 1000;
   scene.run.time_step = c.time_step;
+  scene.hand.stiffness = c.grip;
   return scene;
 }
 
@@ -51,8 +53,31 @@ INSTANTIATE_TEST_SUITE_P(In, HandStiffness,
                          testing::Values(Case{"contact", 0.15, 3e-3, 1e-3, 0.01},
                                          Case{"contact_in_long_steps", 0.15, 3e-3, 10e-3, 0.02},
                                          Case{"buckled", 0.2, 8e-3, 1e-3, 0.01},
-                                         Case{"inserted", 0.15, 16e-3, 5e-3, 0.01}),
+                                         Case{"inserted", 0.15, 16e-3, 5e-3, 0.01},
+                                         Case{"contact_through_a_grip", 0.15, 6e-3, 1e-3, 0.01, 350.0},
+                                         Case{"buckled_through_a_grip", 0.2, 10e-3, 1e-3, 0.01, 350.0}),
                          [](const auto& of) { return std::string(of.param.name); });
+
+// A hand that holds the hub through a spring is felt as one that takes the hub itself where the spring let it go.
+TEST(Grip, gives_way_by_the_force_over_its_stiffness) {
+  Scene scene = scene_of({"", 0.2, 0.0, 1e-3, 0.0, 350.0});
+  scene.contact.rupture_force = 0.66;  // it buckles, punctures and springs back on the way
+  Result<Simulation> held = Simulation::build(scene);
+  scene.hand.stiffness = 0.0;
+  Result<Simulation> led = Simulation::build(scene);
+  double largest = 0.0, apart = 0.0;
+  for (int i = 1; i <= 1000; ++i) {
+    const double travel = 30e-6 * i;
+    const Frame& frame = held->step(travel);
+    EXPECT_NEAR(frame.hand_travel, travel - frame.hand_force / 350.0, 1e-12);
+    apart = std::max(apart, std::abs(led->step(frame.hand_travel).hand_force - frame.hand_force));
+    largest = std::max(largest, frame.hand_force);
+  }
+  EXPECT_GT(largest, 0.65);
+  EXPECT_LT(apart, 1e-4 * largest);
+  ASSERT_EQ(held->events().size(), led->events().size());
+  EXPECT_GE(held->events().size(), 3U);
+}
 
 // Nobody pushes back on a needle that touches nothing yet.
 TEST(HandStiffness, is_nothing_before_the_first_step) {

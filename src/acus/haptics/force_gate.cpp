@@ -83,7 +83,8 @@ GateOutput ForceGate::pass(const GateCommand& command) noexcept {
   }
   if (fault_ != GateFault::none)
     share_ = fade_time_ > 0.0 ? std::max(share_ - elapsed / fade_time_, 0.0) : 0.0;
-  move_towards({scaled(wanted.force, share_), scaled(wanted.torque, share_)}, counted);
+  move_towards({scaled(wanted.force, share_), scaled(wanted.torque, share_)}, sound ? command.ceiling : 0.0,
+               counted);
   remember(elapsed);
   return last_;
 }
@@ -99,7 +100,7 @@ void ForceGate::rearm() noexcept {
 // What is wrong now, the worst first.
 GateFault ForceGate::complaint(const GateCommand& command) const noexcept {
   if (!finite(command.force) || !finite(command.torque) || !finite(command.velocity) ||
-      !std::isfinite(command.age) || !std::isfinite(command.elapsed))
+      !std::isfinite(command.age) || !std::isfinite(command.elapsed) || std::isnan(command.ceiling))
     return GateFault::not_finite;
   if (norm(bounded(command.velocity)) > top_speed) return GateFault::over_speed;
   if (command.age > stale_after) return GateFault::stale;
@@ -134,10 +135,12 @@ void ForceGate::arm(const GateOutput& wanted, GateFault wrong, double elapsed) n
   if (quiet_ticks_ >= quiet_needed) state_ = GateState::ramping;
 }
 
-void ForceGate::move_towards(const GateOutput& wanted, double elapsed) noexcept {
-  const GateOutput aim{clamped(wanted.force, limits_.peak_force),
+void ForceGate::move_towards(const GateOutput& wanted, double ceiling, double elapsed) noexcept {
+  const Triple allowed = clamped(wanted.force, std::max(ceiling, 0.0));
+  interventions_.ceiling += allowed != wanted.force;
+  const GateOutput aim{clamped(allowed, limits_.peak_force),
                        clamped(wanted.torque, limits_.peak_torque)};
-  interventions_.peak += aim.force != wanted.force || aim.torque != wanted.torque;
+  interventions_.peak += aim.force != allowed || aim.torque != wanted.torque;
   const GateOutput next{slewed(last_.force, aim.force, elapsed, 1.0),
                         slewed(last_.torque, aim.torque, elapsed, torque_share_)};
   interventions_.slew += next.force != aim.force || next.torque != aim.torque;

@@ -4,15 +4,16 @@
 // it can be read, tested and trusted alone.
 //
 // What each guard does, per tick:
-//   not finite   a command, velocity, age or clock that is no number: force off, latched
-//   stale        older than 20 ms: the last force is held and damped; older than 50 ms: ramped down, latched,
-//   0 N
-//                before 100 ms
-//   over-speed   the handle is faster than 1.2 m/s: force off, latched
-//   overheated   the mean force of 10 s is above what the device may show for long: ramped down over 1 s,
-//   latched (before any force is on, only what is no number latches: the others just keep it off) arming
-//   force only after 4 ticks of less than 0.2 N, then growing from nothing over 0.5 s slew         rises by
-//   at most 0.5 N/ms, falls by at most 1 N/ms peak         norm of the force at most peak_force; last of all
+// - not finite: a command, velocity, age or clock that is no number: force off, latched;
+// - stale: older than 20 ms: the last force is held and damped; older than 50 ms: ramped down, latched, 0 N
+//   before 100 ms;
+// - over-speed: the handle is faster than 1.2 m/s: force off, latched;
+// - overheated: the mean force of 10 s is above what the device may show for long: ramped down over 1 s, latched;
+//   (before any force is on, only what is no number latches: the others just keep it off)
+// - arming: force only after 4 ticks of less than 0.2 N, then growing from nothing over 0.5 s;
+// - ceiling: norm of the force, fresh or held, at most what this tick allows (passivity_layer.h);
+// - slew: rises by at most 0.5 N/ms, falls by at most 1 N/ms;
+// - peak: norm of the force at most peak_force; last of all.
 // "Off" falls by the slew too: a blow to zero is a blow.
 #pragma once
 
@@ -33,6 +34,7 @@ struct GateCommand {
   std::array<double, 3> velocity{};  // m/s, of the handle
   double age = 0.0;                  // s, since the simulation last spoke
   double elapsed = 0.0;              // s, since the last tick
+  double ceiling = 1e6;              // N, for this tick alone
 };
 
 struct GateOutput {
@@ -48,7 +50,7 @@ struct GateInterventions {
   std::array<long, 5> faults{};  // by GateFault
   long held = 0;                 // the command was too old to be followed
   long disarmed = 0;             // all or part of a fresh command was held back until the force is armed
-  long slew = 0, peak = 0;
+  long ceiling = 0, slew = 0, peak = 0;
 };
 
 class ForceGate {
@@ -70,7 +72,7 @@ class ForceGate {
   GateFault complaint(const GateCommand& command) const noexcept;
   void latch(GateFault wrong) noexcept;
   void arm(const GateOutput& wanted, GateFault wrong, double elapsed) noexcept;
-  void move_towards(const GateOutput& wanted, double elapsed) noexcept;
+  void move_towards(const GateOutput& wanted, double ceiling, double elapsed) noexcept;
   void remember(double elapsed) noexcept;
 
   static constexpr std::size_t windows = 100;  // of 0.1 s

@@ -35,6 +35,9 @@ class Handle {
   // of a free oscillation true to 1e-6.
   void advance_to(double time, const HandAim& aim);
 
+  // Another hand takes the handle, or none.
+  void change_hand(const HandModel& hand) { hand_ = hand; }
+
   // From now + delay on, the device pushes with this force. N. At most 64 commands may be under way; the
   // oldest gives way to a further one.
   void command(const Vec3& force);

@@ -10,15 +10,16 @@
 namespace acus::haptics {
 namespace {
 
-// Where the hub is meant to be, and when: on the device's clock and on ours.
-struct HubWord {
+// Where the hand is, and when: on the device's clock and on ours.
+struct HandWord {
   double travel = 0.0;       // m
+  double felt = 0.0;         // J
   double device_time = 0.0;  // s
   double our_time = -1.0;    // s; negative before the first tick
 };
 
 struct Exchange {
-  NewestValue<HubWord> hub;        // from the device's thread
+  NewestValue<HandWord> hand;       // from the device's thread
   NewestValue<LocalForce> needle;  // from the simulation's
 };
 
@@ -35,7 +36,7 @@ class LoopTick final : public Tick {
     const LocalForce& word = exchange_.needle.read();
     if (word.time >= 0.0) report_.age.add(state.time - word.time);
     const Wrench wrench = servo_.tick(state, word);
-    exchange_.hub.write({servo_.hub_travel(), state.time, start});
+    exchange_.hand.write({servo_.hand_travel(), servo_.felt_work(), state.time, start});
     report_.largest_force = std::max(report_.largest_force, wrench.force.norm());
     report_.work.add(monotonic_time() - start);
     return wrench;
@@ -56,13 +57,13 @@ void simulate(Exchange& exchange, Simulation& simulation, LoopReport& report, co
   Pace pace(simulation.scene().run.time_step);
   const double begin = monotonic_time(), from = simulation.frame().time;
   while (!stop.load(std::memory_order_relaxed) && simulation.frame().health == Health::good) {
-    const HubWord hub = exchange.hub.read();
-    if (hub.our_time >= 0.0) {
+    const HandWord hand = exchange.hand.read();
+    if (hand.our_time >= 0.0) {
       const double start = monotonic_time();
-      LocalForce word = needle.step(hub.travel, 0.0);
+      LocalForce word = needle.step(hand.travel, hand.felt, 0.0);
       const double end = monotonic_time();
       if (simulation.frame().health == Health::good) {
-        word.time = hub.device_time + (end - hub.our_time);
+        word.time = hand.device_time + (end - hand.our_time);
         exchange.needle.write(word);
       }
       report.step.add(end - start);

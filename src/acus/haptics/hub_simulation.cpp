@@ -2,12 +2,15 @@
 
 namespace acus::haptics {
 
-LocalForce HubSimulation::step(double hub_travel, double now) {
-  const Frame& frame = simulation_.step(hub_travel);
+LocalForce HubSimulation::step(double hand_travel, double felt, double now) {
+  const Frame& frame = simulation_.step(hand_travel);
   if (frame.health != Health::good) return last_;
   constexpr double top_speed = 1.2;  // m/s: a faster hand is no longer followed (force_gate.h)
   last_.time = now;
-  last_.travel = frame.hand_travel;
+  if (begun_) last_.work += 0.5 * (last_.force + frame.hand_force) * (hand_travel - last_.travel);
+  begun_ = true;
+  last_.felt = felt;
+  last_.travel = hand_travel;
   last_.force = frame.hand_force;
   last_.stiffness = simulation_.hand_stiffness();
   last_.radius = 2.0 * top_speed *

@@ -1,4 +1,4 @@
-// The simulation as the haptic loop sees it: told where the hub is, it answers with a local force.
+// The simulation as the haptic loop sees it: told where the hand is, it answers with a local force.
 #pragma once
 
 #include <cstddef>
@@ -10,18 +10,19 @@ namespace acus::haptics {
 
 class HubSimulation {
  public:
-  // `simulation` must outlive this.
+  // `simulation` must outlive this, and its scene be held_by() the device (virtual_coupling.h).
   explicit HubSimulation(Simulation& simulation) : simulation_(simulation) {}
 
-  // Advances one time step to `hub_travel` [m]; what it then says, as of `now` [s] of the loop's clock. After
+  // Advances one time step to `hand_travel` [m]; what it then says, as of `now` [s] of the loop's clock. After
   // a step that failed it says nothing new, so that the gate sees its word grow old. Allocates nothing.
-  LocalForce step(double hub_travel, double now);
+  LocalForce step(double hand_travel, double felt, double now);
 
   const Simulation& simulation() const { return simulation_; }
 
  private:
   Simulation& simulation_;
   LocalForce last_;
+  bool begun_ = false;
   std::size_t events_ = 0;  // that were known
 };
 

@@ -1,10 +1,12 @@
-// One tick of the haptic loop, whole: from where the device is to what it shows, and where the hub is meant
-// to be. No thread and no clock: the same code runs under a driver's callback, in a paced loop, and in the
+// One tick of the haptic loop, whole: from where the device is to what it shows, and how far the hand has come.
+// No thread and no clock: the same code runs under a driver's callback, in a paced loop, and in the
 // virtual time of the proofs.
 #pragma once
 
 #include "acus/haptics/device.h"
 #include "acus/haptics/force_gate.h"
+#include "acus/haptics/local_force.h"
+#include "acus/haptics/passivity_layer.h"
 #include "acus/haptics/virtual_coupling.h"
 
 namespace acus::haptics {
@@ -12,7 +14,7 @@ namespace acus::haptics {
 struct ServoSettings {
   DeviceLimits limits;
   double force_limit = 0.0;   // N, the person's own; 0: the device's
-  double start_travel = 0.0;  // m, of the hub where the device is when it first becomes ready
+  double start_travel = 0.0;  // m, of the hand where the device is when it first becomes ready
   double period = 1e-3;       // s, of a tick
 };
 
@@ -24,23 +26,28 @@ class Servo {
   // counted on the device's clock. Allocates nothing.
   Wrench tick(const DeviceState& device, const LocalForce& local) noexcept;
 
-  // Where the hub is meant to be after the last tick, for the simulation. m
-  double hub_travel() const { return hub_travel_; }
+  // How far the hand has come along the needle, for the simulation. m
+  double hand_travel() const { return hand_travel_; }
+  // What the hand has felt to do on the way there. J
+  double felt_work() const { return passivity_.felt_work(); }
   const VirtualCoupling& coupling() const { return coupling_; }
+  const PassivityLayer& passivity() const { return passivity_; }
   const ForceGate& gate() const { return gate_; }
   void rearm() noexcept { gate_.rearm(); }
 
  private:
-  LocalForce blended(const LocalForce& local, double now) noexcept;
+  LocalForce blended(LocalForce local, double now) noexcept;
 
   VirtualCoupling coupling_;
   ForceGate gate_;
+  PassivityLayer passivity_;
   Vec3 forward_;
   double start_travel_;
-  double hub_travel_;
+  double hand_travel_;
   bool placed_ = false;  // the device has been ready once
   Vec3 origin_ = Vec3::Zero();
   double last_tick_ = 0.0;  // s
+  Vec3 position_ = Vec3::Zero(), shown_ = Vec3::Zero();  // of the last tick, m and N
   LocalForce known_;        // what was last blended in
   double offset_ = 0.0;     // N, from the known force to the one that was shown when it came
   double blend_from_ = 0.0, blend_time_ = 0.0;  // s

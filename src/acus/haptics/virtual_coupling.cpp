@@ -12,11 +12,11 @@ VirtualCoupling coupling_for(const DeviceLimits& limits, double period) {
   return {std::min(largest / gain_margin, limits.stiffness), damping};
 }
 
-double balanced_hub(const VirtualCoupling& coupling, const LocalForce& local, double device_travel) {
-  const double needle = std::max(local.stiffness, 0.0);
-  const double way =
-      (coupling.stiffness * (device_travel - local.travel) - local.force) / (coupling.stiffness + needle);
-  return local.travel + std::clamp(way, -local.radius, local.radius);
+Scene held_by(const DeviceLimits& limits, Scene scene) {
+  const double stiffest = coupling_for(limits).stiffness;
+  double& grip = scene.hand.stiffness;
+  grip = grip > 0.0 ? std::min(grip, stiffest) : stiffest;
+  return scene;
 }
 
 }  // namespace acus::haptics

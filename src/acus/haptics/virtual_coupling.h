@@ -1,9 +1,10 @@
 // The spring and damper between a device and the hub: as stiff as the device can show without losing
-// stability, however stiff the needle is.
+// stability, however stiff the needle is. Along the needle the spring is the grip of the scene's hand, solved
+// together with needle and tissue; across it and for the damper the servo answers.
 #pragma once
 
 #include "acus/haptics/device_limits.h"
-#include "acus/haptics/local_force.h"
+#include "acus/sim/scene.h"
 
 namespace acus::haptics {
 
@@ -15,11 +16,10 @@ struct VirtualCoupling {
 // Half of what sampling and delay allow, K_max = (b + B) / (T/2 + t_d) (Gil, Sanchez, Hulin et al. 2009) with
 // the device's own viscous friction b and the coupling's damping B, and no more than the device's maker
 // allows. `period` > 0 [s] is a tick's.
-VirtualCoupling coupling_for(const DeviceLimits& limits, double period);
+VirtualCoupling coupling_for(const DeviceLimits& limits, double period = 1e-3);
 
-// Where the hub is when the coupling's spring and the needle balance, K (device - hub) = F(hub), the device
-// being at `device_travel` [m]: within the local force's radius. A needle that gives way is taken as one of
-// constant force, so that there is one balance. m
-double balanced_hub(const VirtualCoupling& coupling, const LocalForce& local, double device_travel);
+// The scene with its needle held by a hand on that device: through the coupling, unless the scene's own grip
+// is softer.
+Scene held_by(const DeviceLimits& limits, Scene scene);
 
 }  // namespace acus::haptics

@@ -32,7 +32,7 @@ double rising_root(Equation&& equation, double low, double high, double start) {
 }
 
 // The root y >= 0 of the compatibility of bow and compression (see column_response), multiplied by y:
-//   f(y) = y^3 - D y + epsilon p(y^2) (y - y0),   D = d0 + shortening / l,   epsilon = Pcr / EA.
+//   f(y) = y^3 - D y + epsilon p(y^2) (y - y0),   D = d0 + shortening / l,   epsilon = Pcr (1 / EA + c / l).
 // f <= 0 at y = 0 and f >= 0 at y = max(sqrt(D), y0), so the root is bracketed. p is near 1 and epsilon
 // small: the cubic with p = 1, to whose root Newton comes down from the right without overshooting, leaves
 // one or two steps to do.
@@ -87,8 +87,8 @@ Column build_column(const NeedleSpec& spec) {
 //
 // Compression is in series with the bow:
 //   delta = d l + P l / EA,   U = U_bow + P^2 l / (2 EA),
-// and divided by l, with epsilon = Pcr / EA, y solves
-//   y^2 - d0 + epsilon p(y^2) (1 - y0 / y) = delta / l.
+// and so is a grip that gives way by P c. Divided by l, with epsilon = Pcr (1 / EA + c / l), y solves
+//   y^2 - d0 + epsilon p(y^2) (1 - y0 / y) = (delta + P c) / l.
 //
 // Stiffness: with dy/dd = 1 / (2 y) the bow has dP/d(d l) = (Pcr/l) [p' (1 - y0/y) + p y0 / (2 y^3)], in
 // series with EA / l.
@@ -99,10 +99,12 @@ Column build_column(const NeedleSpec& spec) {
 //   G = dU/dl = -Pcr Phi - P^2 / (2 EA) - P d.
 // For a perfect column P + G is the end force times the cosine of its angle with the needle where the moment
 // is zero; for pinned_pinned P + G = P cos(end slope).
-ColumnResponse column_response(const Column& column, double free_length, double shortening) {
+ColumnResponse column_response(const Column& column, double free_length, double shortening,
+                               double grip_compliance) {
   assert(free_length > 0.0 && std::isfinite(shortening));
   const double critical_load = column.critical_load_times_length_squared / (free_length * free_length);
-  const double compression_ratio = critical_load / column.axial_rigidity;
+  const double compression_ratio =
+      critical_load / column.axial_rigidity + critical_load * grip_compliance / free_length;
   const double axial_stiffness = column.axial_rigidity / free_length;
   const double d0 = column.initial_shortening_ratio;
   const double y0 = column.initial_root;
@@ -112,7 +114,7 @@ ColumnResponse column_response(const Column& column, double free_length, double 
   const auto [p, slope] = load_ratio(column.law, y * y);
   ColumnResponse r{};
   if (y == 0.0) {  // straight
-    r.load = axial_stiffness * shortening;
+    r.load = axial_stiffness * shortening / (1.0 + axial_stiffness * grip_compliance);
     r.stiffness = axial_stiffness;
   } else {
     const double growth = 1.0 - y0 / y;

@@ -38,8 +38,10 @@ struct ColumnResponse {
 
 // Any finite shortening [m], negative for tension. Free length [m] of at least shortest_column radii: a stub
 // is no column, and its load falls so steeply in the far post-buckling of clamped_pinned that shortening no
-// longer fixes it.
-ColumnResponse column_response(const Column& column, double free_length, double shortening);
+// longer fixes it. Whoever holds the hub may give way by `grip_compliance` [m/N]: `shortening` is then what
+// column and grip take together; the answer is the column's alone.
+ColumnResponse column_response(const Column& column, double free_length, double shortening,
+                               double grip_compliance = 0.0);
 
 // The centre line of the free part, hub (axial 0) to entry (axial free_length - shortening), `points` >= 2
 // points evenly along its arc, in metres. Takes some 0.1 ms: for drawings.

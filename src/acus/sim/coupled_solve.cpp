@@ -84,13 +84,13 @@ Reaction gather_reaction(const Model& m, const State& s, const Scratch& w, doubl
 }
 
 // The needle's rate at which column, reaction and configurational force balance.
-double balanced_rate(const Model& m, const State& s, const Reaction& r, double hub_travel, double free_length,
+double balanced_rate(const Model& m, const State& s, const Reaction& r, double hand_travel, double free_length,
                      double configurational_force, double guess) {
   const double h = m.scene.run.time_step;
   const auto imbalance = [&](double rate) {
-    const double shortening = hub_travel - s.tip_position - h * rate;
+    const double taken_up = hand_travel - s.tip_position - h * rate;
     return r.constant + r.rate * rate + configurational_force -
-           needle::column_response(m.column, free_length, shortening).load;
+           column_load(m, free_length, taken_up);
   };
   double width = 1e-5;  // m/s, grows until it brackets the root: the imbalance rises with the rate
   // m/s. Where everything slips there may be no balance, because a folding column's load is bounded: then the
@@ -133,7 +133,7 @@ void load_right_hand_side(const Model& m, Scratch& w, double rate) {
 
 // How far to go from (velocity_tried, rate_before) towards (velocity, rate): the root in (0, 1] of the
 // incremental potential's slope, which rises along the way; 1 when it is still falling there.
-double line_search(const Model& m, const State& s, Scratch& w, double hub_travel, double free_length,
+double line_search(const Model& m, const State& s, Scratch& w, double hand_travel, double free_length,
                    double configurational_force, double rate_before, double rate) {
   const double h = m.scene.run.time_step;
   for (HeldPoint& p : w.held) {
@@ -155,8 +155,7 @@ double line_search(const Model& m, const State& s, Scratch& w, double hub_travel
       const double sliding = h * (r - p.rate_before - t * p.rate_change);
       sum += h * coupling::advance(p.slider, sliding).force * (rate_change - p.rate_change);
     }
-    const double load =
-        needle::column_response(m.column, free_length, hub_travel - s.tip_position - h * r).load;
+    const double load = column_load(m, free_length, hand_travel - s.tip_position - h * r);
     return sum + rate_change * h * (configurational_force - load);
   };
   if (slope(1.0) <= 0.0 || slope(0.0) >= 0.0) return 1.0;
@@ -182,6 +181,10 @@ Scratch build_scratch(const Model& m) {
   return w;
 }
 
+double column_load(const Model& m, double free_length, double taken_up) {
+  return needle::column_response(m.column, free_length, taken_up, m.grip_compliance).load;
+}
+
 double tissue_rate(const Model& m, const State& s, const HeldPoint& point) {
   return coupling::along(*point.at, s.velocity, m.path.direction);
 }
@@ -199,7 +202,7 @@ double resistance(const Model& m, Scratch& w) {
   return std::max(all_stick - followed / h, 0.0);
 }
 
-CoupledOutcome solve_coupled(const Model& m, State& s, Scratch& w, double hub_travel, double free_length,
+CoupledOutcome solve_coupled(const Model& m, State& s, Scratch& w, double hand_travel, double free_length,
                              double configurational_force) {
   CoupledOutcome outcome;
   double rate = s.tip_rate;
@@ -227,10 +230,10 @@ CoupledOutcome solve_coupled(const Model& m, State& s, Scratch& w, double hub_tr
     if (outcome.broke_down) return outcome;
 
     const double guess = rate;
-    rate = balanced_rate(m, s, reaction, hub_travel, free_length, configurational_force, guess);
+    rate = balanced_rate(m, s, reaction, hand_travel, free_length, configurational_force, guess);
     numeric::add_scaled_into(s.velocity, rate - guess, s.influence);
     if (correct_grips(m, s, w, rate)) {
-      const double t = line_search(m, s, w, hub_travel, free_length, configurational_force, guess, rate);
+      const double t = line_search(m, s, w, hand_travel, free_length, configurational_force, guess, rate);
       if (t < 1.0) {
         numeric::scale_and_add_into(s.velocity, t, w.velocity_tried);
         numeric::add_scaled_into(s.velocity, -t, w.velocity_tried);

@@ -1,7 +1,7 @@
 // One implicit step of needle and tissue together.
 //
 // Unknowns: the velocities v of the tissue and the one rate w of the needle along its axis. With P the
-// column's force at the shortening X1 - z0 - h w and f_j the sliders between needle and tissue (tip contact,
+// force of the column and the hand's grip at X1 - z0 - h w, X1 the hand, and f_j the sliders between needle and tissue (tip contact,
 // friction),
 //   A v = M v0 + h f_el + h sum_j f_j(w - W_j v) W_j^T a,
 //   0 = P(X1 - z0 - h w) - sum_j f_j(w - W_j v) - Q,
@@ -49,14 +49,17 @@ struct CoupledOutcome {
 };
 
 // Advances state.velocity, influence and tip_rate. `scratch` holds the assembled matrix, the momentum and the
-// held points; the hub ends the step at `hub_travel`.
-CoupledOutcome solve_coupled(const Model& model, State& state, Scratch& scratch, double hub_travel,
+// held points; the hand ends the step at `hand_travel`.
+CoupledOutcome solve_coupled(const Model& model, State& state, Scratch& scratch, double hand_travel,
                              double free_length, double configurational_force);
 
 // How the force of tissue and sliders on the needle would have grown with its rate in the step that was
 // solved last. N s/m, at least 0. Takes some iterations of its own and leaves the state alone; 0 when they do
 // not end.
 double resistance(const Model& model, Scratch& scratch);
+
+// What column and grip answer when together they take up so much [m] between hand and tip. N
+double column_load(const Model& model, double free_length, double taken_up);
 
 // Tissue's velocity along the axis at a held point.
 double tissue_rate(const Model& model, const State& state, const HeldPoint& point);

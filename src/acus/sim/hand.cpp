@@ -34,4 +34,6 @@ double furthest_travel(const HandScene& hand) {
   return furthest;
 }
 
+double grip_compliance(const HandScene& hand) { return hand.stiffness > 0.0 ? 1.0 / hand.stiffness : 0.0; }
+
 }  // namespace acus

@@ -7,6 +7,7 @@
 #include "acus/mesh/order.h"
 #include "acus/mesh/quality.h"
 #include "acus/mesh/refine.h"
+#include "acus/sim/hand.h"
 
 namespace acus {
 namespace {
@@ -119,6 +120,7 @@ Result<Model> build_model(const Scene& scene, const mesh::TetMesh* mesh) {
   Model m;
   m.scene = *valid;
   m.column = needle::build_column(scene.needle);
+  m.grip_compliance = grip_compliance(scene.hand);
   m.cutting_force =
       force::cutting_force(scene.contact.fracture_toughness, scene.contact.crack, scene.needle.radius);
   if (m.rigid()) {

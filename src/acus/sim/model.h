@@ -17,7 +17,8 @@ namespace acus {
 struct Model {
   Scene scene;
   needle::Column column;
-  double cutting_force = 0.0;  // N
+  double cutting_force = 0.0;    // N
+  double grip_compliance = 0.0;  // m/N
   mesh::InsertionPath path;    // entry, direction, length of tissue along it
 
   // All of the tissue; empty when it is rigid.

@@ -57,6 +57,7 @@ struct HandScene {
   HandKind kind = HandKind::steady;
   double speed = 10e-3;         // m/s
   double travel = 80e-3;        // m from first touch
+  double stiffness = 0.0;       // N/m, of the grip between hand and hub; 0: rigid
   std::vector<HandPoint> path;  // kind = path: straight lines between these, times increasing
 };
 

@@ -99,6 +99,8 @@ std::vector<SceneKey> hand_and_run_keys() {
        "of the hub, when steady"},
       {"hand.travel_mm", NumberField{ACUS_AT(hand.travel), milli, {0.001, 2000.0}},
        "how far the hub goes from first touch, when steady"},
+      {"hand.stiffness_N_m", NumberField{ACUS_AT(hand.stiffness), one, {0.0, 1e9}},
+       "of the grip between hand and hub; 0 for a hub that goes where the hand goes"},
       {"hand.path", HandPathField{ACUS_AT(hand.path), milli, {0.0, 1e5}, {-1000.0, 2000.0}},
        "[[time in s, travel in mm], ...] joined by straight lines; pauses and withdrawal are welcome"},
       {"run.time_step_ms", NumberField{ACUS_AT(run.time_step), milli, {0.01, 20.0}},

@@ -19,10 +19,11 @@ class Simulation {
   // rigid). Allocates everything a step will need.
   static Result<Simulation> build(const Scene& scene, const mesh::TetMesh* mesh = nullptr);
 
-  // Advances one time step; the hub ends it at `hand_travel` [m]. Allocates nothing.
+  // Advances one time step; the hand ends it at `hand_travel` [m], and so does the hub unless the scene's
+  // grip gives way. Allocates nothing.
   const Frame& step(double hand_travel);
 
-  // How hand_force of the last step would have changed with the hub's travel, N/m: the tangent over one time
+  // How hand_force of the last step would have changed with the hand's travel, N/m: the tangent over one time
   // step, inertia and damping of the tissue included. 0 before the first step. Costs iterations; allocates
   // nothing and leaves the state alone.
   double hand_stiffness();

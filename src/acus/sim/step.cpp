@@ -152,7 +152,7 @@ Health health_of(const State& s, const needle::ColumnResponse& column, const Nee
 }
 
 // Needle and tissue to the end of the step. Returns whether the solve held.
-bool move_together(const Model& m, State& s, Scratch& w, double hub_travel, Before& before, Frame& frame,
+bool move_together(const Model& m, State& s, Scratch& w, double hand_travel, Before& before, Frame& frame,
                    const StepProbe& probe) {
   const double h = m.scene.run.time_step;
   touch(m, s, w, before.place);
@@ -162,7 +162,7 @@ bool move_together(const Model& m, State& s, Scratch& w, double hub_travel, Befo
   probe(StepPart::assembly);
   w.velocity_before = s.velocity;
   numeric::add_scaled_into(s.velocity, 1.0, s.velocity_change);  // a start near the answer
-  const CoupledOutcome solved = solve_coupled(m, s, w, hub_travel, before.place.free_length, configurational);
+  const CoupledOutcome solved = solve_coupled(m, s, w, hand_travel, before.place.free_length, configurational);
   if (solved.broke_down) return false;
   frame.solver_iterations = solved.iterations;
   s.velocity_change = s.velocity;
@@ -195,12 +195,12 @@ void show(const State& s, const Observed& observed, const NeedlePlace& place, do
 
 }  // namespace
 
-void advance(const Model& m, State& s, Scratch& w, double hub_travel, Frame& frame,
+void advance(const Model& m, State& s, Scratch& w, double hand_travel, Frame& frame,
              std::vector<Event>& events, const StepProbe& probe) {
   Before before = remember(m, s, w);
   Observed observed;
   if (!m.rigid()) {
-    if (!move_together(m, s, w, hub_travel, before, frame, probe)) {
+    if (!move_together(m, s, w, hand_travel, before, frame, probe)) {
       frame.health = Health::solver_broke_down;
       return;
     }
@@ -214,10 +214,9 @@ void advance(const Model& m, State& s, Scratch& w, double hub_travel, Frame& fra
   }
   ++s.steps;
   frame.time = static_cast<double>(s.steps) * m.scene.run.time_step;
-  s.hub_travel = hub_travel;
-  if (m.rigid()) s.tip_position = std::min(hub_travel, 0.0);  // the stop holds the tip only from one side
-  observed.column_load =
-      needle::column_response(m.column, before.place.free_length, hub_travel - s.tip_position).load;
+  if (m.rigid()) s.tip_position = std::min(hand_travel, 0.0);  // the stop holds the tip only from one side
+  observed.column_load = column_load(m, before.place.free_length, hand_travel - s.tip_position);
+  s.hub_travel = hand_travel - observed.column_load * m.grip_compliance;
   if (m.rigid()) observed.tip_force = std::max(observed.column_load, 0.0);
   const NeedlePlace place = place_needle(m, s);
   const needle::ColumnResponse column =

@@ -47,17 +47,17 @@ def killed(text, source_dir, tests, scratch):
     program = os.path.join(scratch, "mutant")
     with open(path, "w") as file:
         file.write(text)
-    build = ["g++", "-std=c++20", "-O1", "-w", f"-I{source_dir}/src", path, tests, "-lgtest", "-lgtest_main", "-lpthread", "-o", program]
+    build = ["g++", "-std=c++20", "-O1", "-w", f"-I{source_dir}/src", path, *tests, "-lgtest", "-lgtest_main", "-lpthread", "-o", program]
     if subprocess.run(build, capture_output=True).returncode != 0:
         return None
     try:
-        return subprocess.run([program, "--gtest_fail_fast", "--gtest_brief=1"], capture_output=True, timeout=60).returncode != 0
+        return subprocess.run([program, "--gtest_fail_fast", "--gtest_brief=1"], capture_output=True, timeout=20).returncode != 0
     except subprocess.TimeoutExpired:
         return True
 
 
 def main():
-    source_dir, tests = sys.argv[1:3]
+    source_dir, *tests = sys.argv[1:]
     gate = os.path.join(source_dir, "src/acus/haptics/force_gate.cpp")
     with open(gate) as file:
         text = file.read()

@@ -13,16 +13,21 @@ namespace {
 
 DeviceLimits touch() { return *find_device_limits("touch"); }
 
-// A servo that has been armed by a quiet simulation, device at rest.
+// A servo that has been armed by a quiet simulation, device at rest, and whose hand has done 5 mJ of work
+// that may come back.
 class Armed {
  public:
   explicit Armed(const DeviceLimits& limits = touch())
       : servo({limits, 0.0, -1e-3, 1e-3}), forward_(limits.forward) {
     for (int i = 0; i < 600; ++i) tick(0.0, fresh(-1e-3, 0.0, 0.0));
     EXPECT_EQ(servo.gate().state(), GateState::armed);
+    for (int i = 0; i <= 100; ++i) tick(50e-6 * i, fresh(-1e-3, 1.0, 0.0));
+    for (int i = 0; i <= 100; ++i) tick(5e-3 - 50e-6 * i, fresh(-1e-3, 0.0, 0.0));
   }
   LocalForce fresh(double travel, double force, double stiffness, bool jumped = false) const {
-    return {time_, travel, force, stiffness, 10e-3, jumped};
+    LocalForce word{time_, travel, force, stiffness, 10e-3, jumped};
+    word.stored = 1.0;
+    return word;
   }
   // Force along the needle that the device shows `way` [m] ahead of its start, positive against the hand. N
   double tick(double way, const LocalForce& local, const Vec3& across = Vec3::Zero()) {
@@ -75,10 +80,11 @@ TEST(Servo, shows_the_force_of_the_needle_to_a_hand_at_rest) {
   double force = 0.0;
   for (int i = 0; i < 50; ++i) force = loop.tick(5e-3, loop.fresh(3e-3, 0.7, 0.0));
   EXPECT_NEAR(force, 0.7, 1e-12);
-  EXPECT_NEAR(loop.servo.hand_travel(), -1e-3 + 5e-3, 1e-12);
+  EXPECT_NEAR(loop.servo.hand().travel, -1e-3 + 5e-3, 1e-12);
 }
 
-// Whatever the simulation says, the hand meets no stiffer spring than the device can show, and none that pulls.
+// Whatever the simulation says, the hand meets no stiffer spring than the device can show, and none that
+// pulls.
 TEST(Servo, shows_no_stiffer_spring_than_the_coupling) {
   const auto rise_over_1_mm = [](double stiffness) {
     Armed loop;
@@ -108,13 +114,13 @@ TEST(Servo, is_continuous_between_the_words_of_a_slow_simulation) {
   for (int i = 0; i < 400; ++i) {
     const double way = 1e-3 + 10e-3 * i * 1e-3;  // 10 mm/s
     // The needle is a spring of 60 N/m, the word says 50: each word corrects the force by some 2 mN.
-    if (i % 20 == 0) word = loop.fresh(loop.servo.hand_travel(), 60.0 * loop.servo.hand_travel(), 50.0);
+    if (i % 20 == 0) word = loop.fresh(loop.servo.hand().travel, 60.0 * loop.servo.hand().travel, 50.0);
     const double force = loop.tick(way, word);
     if (i > 40) largest_step = std::max(largest_step, std::abs(force - before));
     before = force;
   }
   EXPECT_LT(largest_step, 1e-3);
-  EXPECT_NEAR(before, 60.0 * loop.servo.hand_travel(), 3e-3);
+  EXPECT_NEAR(before, 60.0 * loop.servo.hand().travel, 3e-3);
 }
 
 TEST(Servo, lets_the_drop_of_a_puncture_through_within_two_ticks) {
@@ -161,7 +167,7 @@ TEST(Servo, never_tells_the_simulation_a_number_that_is_none) {
     (which == 0 ? way : which == 1 ? word.force : which == 2 ? word.stiffness : word.travel) = nan;
     const double force = loop.tick(way, word);
     EXPECT_TRUE(std::isfinite(force)) << which;
-    EXPECT_TRUE(std::isfinite(loop.servo.hand_travel())) << which;
+    EXPECT_TRUE(std::isfinite(loop.servo.hand().travel)) << which;
     EXPECT_EQ(loop.servo.gate().fault(), GateFault::not_finite) << which;
   }
 }
@@ -184,21 +190,21 @@ TEST(Servo, stands_a_million_ticks_of_broken_numbers_at_every_interface) {
     const double t = static_cast<double>(i) * 1e-3;
     DeviceState state;
     state.time = t;
-    state.position = Vec3(0.0, 0.0, i % 2000 < 700 ? 0.0 : -5e-3);
+    state.position = Vec3(0.0, 0.0, -2.5e-3 * (1.0 - std::cos(t)));
     state.ready = true;
-    const double travel = servo.hand_travel();
+    const double travel = servo.hand().travel;
     LocalForce word{t, travel, 100.0 * std::max(travel, 0.0), 100.0, 5e-3, false};
+    word.stored = 1.0;
     if (i % 1000 == 999) {
-      double* const fields[] = {&state.time,         &state.position.x(), &state.position.z(),
-                                &state.velocity.y(), &word.time,          &word.travel,
-                                &word.force,         &word.stiffness,     &word.radius,
-                                &word.work,          &word.felt};
+      double* const fields[] = {&state.time,  &state.position.x(), &state.position.z(), &state.velocity.y(),
+                                &word.time,   &word.travel,        &word.force,         &word.stiffness,
+                                &word.radius, &word.stored,        &word.taken};
       *fields[random() % std::size(fields)] = oddities[random() % std::size(oddities)];
     }
     const Wrench out = servo.tick(state, word);
     ASSERT_TRUE(out.force.allFinite() && out.torque.allFinite()) << i;
     ASSERT_LE(out.force.norm(), touch().peak_force * (1.0 + 1e-15)) << i;
-    ASSERT_TRUE(std::isfinite(servo.hand_travel())) << i;
+    ASSERT_TRUE(std::isfinite(servo.hand().travel)) << i;
     felt += out.force.norm() > 0.1;
     if (servo.gate().fault() != GateFault::none) ++faults, servo.rearm();
   }
@@ -213,7 +219,7 @@ TEST(Servo, obeys_the_persons_own_limit) {
   double force = 0.0;
   for (int i = 0; i < 900; ++i) {
     state.time = i * 1e-3;
-    state.position = Vec3(0.0, 0.0, i < 600 ? 0.0 : -20e-3);
+    state.position = Vec3(0.0, 0.0, -0.1e-3 * std::max(i - 600, 0));
     force = servo.tick(state, {state.time, 0.0, 0.0, 1e4, 1.0, false}).force.norm();
   }
   EXPECT_NEAR(force, 0.5, 1e-12);

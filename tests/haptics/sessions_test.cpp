@@ -1,5 +1,5 @@
-// Hundreds of sessions drawn at random: every device, every hand, everything that happens to a needle and to a
-// loop. ACUS_SESSIONS says how many; ACUS_SESSION runs the one of that number and says what became of it.
+// Hundreds of sessions drawn at random: every device, every hand, everything that happens to a needle and to
+// a loop. ACUS_SESSIONS says how many; ACUS_SESSION runs the one of that number and says what became of it.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -13,9 +13,18 @@
 namespace acus::haptics {
 namespace {
 
-enum class Happening { nothing, withdrawal, hand_lets_go, reload, other_needle, replug, short_stall, long_stall };
-constexpr std::array happening_names{"nothing", "withdrawal",   "hand_lets_go", "reload",
-                                     "other_needle", "replug", "short_stall",  "long_stall"};
+enum class Happening {
+  nothing,
+  withdrawal,
+  hand_lets_go,
+  reload,
+  other_needle,
+  replug,
+  short_stall,
+  long_stall
+};
+constexpr std::array happening_names{"nothing",      "withdrawal", "hand_lets_go", "reload",
+                                     "other_needle", "replug",     "short_stall",  "long_stall"};
 
 struct Session {
   Trial trial;
@@ -39,7 +48,8 @@ Session session_of(unsigned number) {
   t.device = devices[number % devices.size()];
   s.happening = static_cast<Happening>(number / devices.size() % happening_names.size());
   const HandModel of_a_kind = random() % 2 == 0 ? light_grip : whole_arm;
-  t.hand = {around(random, of_a_kind.mass), around(random, of_a_kind.damping), around(random, of_a_kind.stiffness)};
+  t.hand = {around(random, of_a_kind.mass), around(random, of_a_kind.damping),
+            around(random, of_a_kind.stiffness)};
   const std::array periods{1e-3, 2e-3, 5e-3, 10e-3, 20e-3, 33e-3};  // s: 1 kHz to 30 Hz
   t.period = periods[random() % periods.size()];
   t.jitter = any(0.0, 0.3);
@@ -48,6 +58,7 @@ Session session_of(unsigned number) {
   t.scene.needle.length = any(0.1, 0.3);
   t.scene.contact.rupture_force = any(0.3, 1.2);
   t.scene.tissue.tetrahedra = 200;
+  t.scene.run.solver_tolerance = 1e-4;
   t.scene.run.time_step = std::min(t.period, 20e-3);  // beyond, needle and tissue go slower than the clock
   t.another = t.scene;
   if (s.happening == Happening::other_needle) t.another->needle.length = any(0.1, 0.3);
@@ -67,13 +78,19 @@ Session session_of(unsigned number) {
   if (s.happening == Happening::long_stall) t.stalls = moment, t.stall_time = any(100e-3, 500e-3);
 
   std::ostringstream words;
-  words << "session " << number << ": " << t.device.name << ", hand " << t.hand.mass << " kg " << t.hand.damping
-        << " N s/m " << t.hand.stiffness << " N/m, word every " << 1e3 * t.period << " ms, needle "
-        << 1e3 * t.scene.needle.length << " mm, ruptures at " << t.scene.contact.rupture_force << " N, " << speed
-        << " m/s to " << 1e3 * depth << " mm, " << happening_names[static_cast<std::size_t>(s.happening)];
+  words << "session " << number << ": " << t.device.name << ", hand " << t.hand.mass << " kg "
+        << t.hand.damping << " N s/m " << t.hand.stiffness << " N/m, word every " << 1e3 * t.period
+        << " ms, needle " << 1e3 * t.scene.needle.length << " mm, ruptures at "
+        << t.scene.contact.rupture_force << " N, " << speed << " m/s to " << 1e3 * depth << " mm, "
+        << happening_names[static_cast<std::size_t>(s.happening)];
   s.words = words.str();
   return s;
 }
+
+// m. A word every 10 ms or less often now and then leaves a swing of a few quanta of the encoder, on devices
+// without dry friction; of many sessions such ones are counted.
+constexpr double narrow_swing = 0.1e-3, wide_swing = 1e-3;
+double widest_swing(const Session& s) { return s.trial.period < 10e-3 ? narrow_swing : wide_swing; }
 
 void expect_well(const Session& s, const Finding& found) {
   const DeviceLimits& device = s.trial.device;
@@ -83,10 +100,11 @@ void expect_well(const Session& s, const Finding& found) {
   EXPECT_LE(found.largest_rise, 0.5 + 1e-12);
   EXPECT_LE(found.largest_fall, 1.0 + 1e-12);
   EXPECT_GE(found.least_port_energy, -1e-6);
-  EXPECT_LE(found.limit_cycle, 0.1e-3);
+  EXPECT_LE(found.limit_cycle, widest_swing(s));
   EXPECT_LT(found.top_speed, 1.2);
   EXPECT_EQ(found.fault, GateFault::none);
-  EXPECT_EQ(found.faulted, s.happening == Happening::replug || s.happening == Happening::long_stall);  // and rearmed
+  EXPECT_EQ(found.faulted,
+            s.happening == Happening::replug || s.happening == Happening::long_stall);  // and rearmed
   if (s.happening == Happening::long_stall) {
     EXPECT_LT(found.longest_force_after_stall, 0.1);
   }
@@ -99,16 +117,22 @@ long asked_for(const char* name, long otherwise) {
 
 TEST(Sessions, none_diverges_hums_or_gives_energy_away) {
   const long one = asked_for("ACUS_SESSION", -1), count = asked_for("ACUS_SESSIONS", 500);
+  long swinging = 0;
   for (long i = one >= 0 ? one : 0; i < (one >= 0 ? one + 1 : count); ++i) {
     const Session s = session_of(static_cast<unsigned>(i));
     SCOPED_TRACE(s.words);
     const Finding found = run(s.trial);
     expect_well(s, found);
+    if (found.limit_cycle > narrow_swing)
+      ++swinging, std::printf("swings by %.3f mm: %s\n", 1e3 * found.limit_cycle, s.words.c_str());
     if (one >= 0)
-      std::printf("%s\nforce %.3f N, at the end %.3f N; needle %.3f N; travel %.1f mm; swing %.4f mm; energy %.3g J\n",
-                  s.words.c_str(), found.largest_force, found.last_force, found.frame.hand_force,
-                  1e3 * found.largest_travel, 1e3 * found.limit_cycle, found.least_port_energy);
+      std::printf(
+          "%s\nforce %.3f N, at the end %.3f N; needle %.3f N; travel %.1f mm; swing %.4f mm; energy %.3g "
+          "J\n",
+          s.words.c_str(), found.largest_force, found.last_force, found.frame.hand_force,
+          1e3 * found.largest_travel, 1e3 * found.limit_cycle, found.least_port_energy);
   }
+  EXPECT_LE(swinging, count > 500 ? count / 200 : 0);
 }
 
 }  // namespace

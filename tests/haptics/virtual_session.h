@@ -102,7 +102,7 @@ inline Finding run(const Trial& trial) {
     const bool stalled = now >= trial.stalls && now < trial.stalls + trial.stall_time;
     if (now >= next_word && !stalled) {
       known = under_way;
-      under_way = needle->step(servo.hand_travel(), servo.felt_work(), now + period);
+      under_way = needle->step(servo.hand(), now + period);
       next_word = now + period;
     }
     DeviceState state;

@@ -58,7 +58,8 @@ INSTANTIATE_TEST_SUITE_P(In, HandStiffness,
                                          Case{"buckled_through_a_grip", 0.2, 10e-3, 1e-3, 0.01, 350.0}),
                          [](const auto& of) { return std::string(of.param.name); });
 
-// A hand that holds the hub through a spring is felt as one that takes the hub itself where the spring let it go.
+// A hand that holds the hub through a spring is felt as one that takes the hub itself where the spring let it
+// go.
 TEST(Grip, gives_way_by_the_force_over_its_stiffness) {
   Scene scene = scene_of({"", 0.2, 0.0, 1e-3, 0.0, 350.0});
   scene.contact.rupture_force = 0.66;  // it buckles, punctures and springs back on the way

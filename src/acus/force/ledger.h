@@ -18,10 +18,14 @@ struct Ledger {
   double work_snap = 0.0;
 };
 
+// What has not been lost. J
+inline double stored(const Ledger& l) {
+  return l.energy_tissue + l.energy_needle + l.energy_contact + l.energy_kinetic;
+}
+
 // Where the work went, all lines but the first. J
 inline double accounted(const Ledger& l) {
-  return l.energy_tissue + l.energy_needle + l.energy_contact + l.energy_kinetic + l.work_cutting +
-         l.work_friction + l.work_damping + l.work_numerical + l.work_snap;
+  return stored(l) + l.work_cutting + l.work_friction + l.work_damping + l.work_numerical + l.work_snap;
 }
 
 // What the ledger cannot explain. J

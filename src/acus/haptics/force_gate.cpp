@@ -138,8 +138,7 @@ void ForceGate::arm(const GateOutput& wanted, GateFault wrong, double elapsed) n
 void ForceGate::move_towards(const GateOutput& wanted, double ceiling, double elapsed) noexcept {
   const Triple allowed = clamped(wanted.force, std::max(ceiling, 0.0));
   interventions_.ceiling += allowed != wanted.force;
-  const GateOutput aim{clamped(allowed, limits_.peak_force),
-                       clamped(wanted.torque, limits_.peak_torque)};
+  const GateOutput aim{clamped(allowed, limits_.peak_force), clamped(wanted.torque, limits_.peak_torque)};
   interventions_.peak += aim.force != allowed || aim.torque != wanted.torque;
   const GateOutput next{slewed(last_.force, aim.force, elapsed, 1.0),
                         slewed(last_.torque, aim.torque, elapsed, torque_share_)};

@@ -8,7 +8,8 @@
 // - stale: older than 20 ms: the last force is held and damped; older than 50 ms: ramped down, latched, 0 N
 //   before 100 ms;
 // - over-speed: the handle is faster than 1.2 m/s: force off, latched;
-// - overheated: the mean force of 10 s is above what the device may show for long: ramped down over 1 s, latched;
+// - overheated: the mean force of 10 s is above what the device may show for long: ramped down over 1 s,
+// latched;
 //   (before any force is on, only what is no number latches: the others just keep it off)
 // - arming: force only after 4 ticks of less than 0.2 N, then growing from nothing over 0.5 s;
 // - ceiling: norm of the force, fresh or held, at most what this tick allows (passivity_layer.h);

@@ -12,14 +12,13 @@ namespace {
 
 // Where the hand is, and when: on the device's clock and on ours.
 struct HandWord {
-  double travel = 0.0;       // m
-  double felt = 0.0;         // J
+  HandMotion motion;
   double device_time = 0.0;  // s
   double our_time = -1.0;    // s; negative before the first tick
 };
 
 struct Exchange {
-  NewestValue<HandWord> hand;       // from the device's thread
+  NewestValue<HandWord> hand;      // from the device's thread
   NewestValue<LocalForce> needle;  // from the simulation's
 };
 
@@ -36,7 +35,7 @@ class LoopTick final : public Tick {
     const LocalForce& word = exchange_.needle.read();
     if (word.time >= 0.0) report_.age.add(state.time - word.time);
     const Wrench wrench = servo_.tick(state, word);
-    exchange_.hand.write({servo_.hand_travel(), servo_.felt_work(), state.time, start});
+    exchange_.hand.write({servo_.hand(), state.time, start});
     report_.largest_force = std::max(report_.largest_force, wrench.force.norm());
     report_.work.add(monotonic_time() - start);
     return wrench;
@@ -60,7 +59,7 @@ void simulate(Exchange& exchange, Simulation& simulation, LoopReport& report, co
     const HandWord hand = exchange.hand.read();
     if (hand.our_time >= 0.0) {
       const double start = monotonic_time();
-      LocalForce word = needle.step(hand.travel, hand.felt, 0.0);
+      LocalForce word = needle.step(hand.motion, 0.0);
       const double end = monotonic_time();
       if (simulation.frame().health == Health::good) {
         word.time = hand.device_time + (end - hand.our_time);

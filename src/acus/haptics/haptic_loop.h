@@ -11,8 +11,9 @@
 namespace acus::haptics {
 
 struct LoopSettings {
-  double force_limit = 0.0;     // N, the person's own; 0: the device's
-  double start_travel = -5e-3;  // m, of the hand where the device is when it becomes ready; before first touch
+  double force_limit = 0.0;  // N, the person's own; 0: the device's
+  double start_travel =
+      -5e-3;  // m, of the hand where the device is when it becomes ready; before first touch
 };
 
 struct LoopOutcome {
@@ -20,8 +21,8 @@ struct LoopOutcome {
   std::optional<Error> lost;  // how the device was lost, if it was
 };
 
-// Runs until `stop` is true or the device is lost. The scene of `simulation` is held_by() the device. The simulation runs at its own time step by the wall
-// clock, or as fast as it can where it is slower than that.
+// Runs until `stop` is true or the device is lost. The scene of `simulation` is held_by() the device. The
+// simulation runs at its own time step by the wall clock, or as fast as it can where it is slower than that.
 LoopOutcome run_loop(Device& device, Simulation& simulation, const LoopSettings& settings,
                      const std::atomic<bool>& stop);
 

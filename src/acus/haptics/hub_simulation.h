@@ -13,16 +13,15 @@ class HubSimulation {
   // `simulation` must outlive this, and its scene be held_by() the device (virtual_coupling.h).
   explicit HubSimulation(Simulation& simulation) : simulation_(simulation) {}
 
-  // Advances one time step to `hand_travel` [m]; what it then says, as of `now` [s] of the loop's clock. After
-  // a step that failed it says nothing new, so that the gate sees its word grow old. Allocates nothing.
-  LocalForce step(double hand_travel, double felt, double now);
+  // Advances one time step to where the hand is; what it then says, as of `now` [s] of the loop's clock.
+  // After a step that failed it says nothing new, so that the gate sees its word grow old. Allocates nothing.
+  LocalForce step(const HandMotion& hand, double now);
 
   const Simulation& simulation() const { return simulation_; }
 
  private:
   Simulation& simulation_;
   LocalForce last_;
-  bool begun_ = false;
   std::size_t events_ = 0;  // that were known
 };
 

@@ -35,9 +35,10 @@ std::string load_in_words(const LoopReport& report) {
 std::string gate_in_words(const LoopReport& report) {
   const GateInterventions& gate = report.interventions;
   return line(
-      "Gate     largest force %.2f N; slowed in %ld ticks, clamped in %ld, held for a late simulation in "
-      "%ld%s%s",
-      report.largest_force, gate.slew, gate.peak, gate.held,
+      "Gate     largest force %.2f N; slowed in %ld ticks, clamped in %ld, lowered so as to give no energy "
+      "away in %ld, "
+      "held for a late simulation in %ld%s%s",
+      report.largest_force, gate.slew, gate.peak, gate.ceiling, gate.held,
       report.fault == GateFault::none ? "" : "; force off: ", in_words(report.fault).c_str());
 }
 
@@ -71,6 +72,9 @@ std::string in_words(const LoopReport& report) {
   words += line("Tick     %.1f us of work (half of them), 99.9 %% within %.1f us",
                 1e6 * report.work.quantile(0.5), 1e6 * report.work.quantile(0.999));
   if (report.step.count() > 0) words += load_in_words(report);
+  if (report.age.count() > 0)
+    words += line("Age      of the simulation's word in a tick: %.1f ms (half of them), at most %.1f ms",
+                  1e3 * report.age.quantile(0.5), 1e3 * report.age.longest());
   words += gate_in_words(report);
   if (report.health != Health::good)
     words += "Needle   the simulation ended: " + std::string(complaint(report.health)) + "\n";

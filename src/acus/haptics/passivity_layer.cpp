@@ -7,65 +7,73 @@
 namespace acus::haptics {
 namespace {
 
-constexpr double longest_step = 10e-3;  // m, in a tick: no hand goes farther, so that is no motion
+// No number that comes in may spoil what comes after it: what no hand and no device does is not counted.
+constexpr double longest_step = 10e-3;     // m, in a tick
+constexpr double strongest_force = 100.0;  // N
+constexpr double top_speed = 2.0;          // m/s
 
 }  // namespace
 
 PassivityLayer::PassivityLayer(const DeviceLimits& limits, double period)
-    : quantum_(limits.quantum),
-      reach_(period + limits.delay),
-      delay_(std::min(static_cast<std::size_t>(std::lround(limits.delay / period)), most_on_the_way - 1)),
-      period_(period) {
+    : period_(period),
+      quantum_(limits.quantum),
+      delay_time_(limits.delay),
+      delay_(std::min(static_cast<std::size_t>(std::lround(limits.delay / period)), most_on_the_way - 1)) {
   told_.fill(Vec3::Zero());
 }
 
 void PassivityLayer::moved(const Vec3& step, const Vec3& told) noexcept {
+  constexpr double recovery = 1e-3;  // W, chosen: half a second for what a bent needle holds
+  lost_ = std::max(lost_ - recovery * period_, 0.0);
   newest_ = (newest_ + 1) % most_on_the_way;
   told_[newest_] = told;
   shown_sum_ += told_[(newest_ + most_on_the_way - delay_) % most_on_the_way];
   ++shown_ticks_;
+  step_ = step.norm() <= longest_step ? step : Vec3::Zero();
   if (step.squaredNorm() == 0.0) return;
   // A slow motion shows in one tick what it went in many, against the mean of what was shown in them.
-  if (step.norm() <= longest_step) tank_ -= step.dot(shown_sum_) / static_cast<double>(shown_ticks_);
+  work_ -= step_.dot(shown_sum_) / static_cast<double>(shown_ticks_);
   shown_sum_.setZero();
   shown_ticks_ = 0;
 }
 
 void PassivityLayer::felt(double travel, double force) noexcept {
-  constexpr double strongest = 100.0;  // N
-  const double step = travel - travel_, bounded = std::clamp(force, -strongest, strongest);
-  if (std::abs(step) <= longest_step && std::isfinite(bounded)) felt_work_ += 0.5 * (bounded + force_) * step;
+  const double step = travel - travel_;
+  const double bounded = std::isfinite(force) ? std::clamp(force, -strongest_force, strongest_force) : 0.0;
+  if (std::abs(step) <= longest_step) felt_work_ += 0.5 * (bounded + force_) * step;
   travel_ = travel;
-  force_ = std::isfinite(bounded) ? bounded : 0.0;
+  force_ = bounded;
 }
 
-void PassivityLayer::compare(double needle, double felt) noexcept {
+void PassivityLayer::compare(double work, double felt, double taken, double stored) noexcept {
   constexpr double most = 2e-3;  // J: a swing of millimetres; more is no swing
-  const double given = needle - felt;
-  if (!std::isfinite(given)) return;
+  const double given = taken - felt, lost = std::min(work, work_) - std::max(stored, 0.0);
+  if (!std::isfinite(given) || !std::isfinite(lost)) return;
+  lost_ = std::max(lost_, lost);
   owed_ = std::clamp(owed_ + given - given_, 0.0, most);
   given_ = given;
 }
 
 double PassivityLayer::damping_force(double speed) noexcept {
-  constexpr double strongest = 3.0;  // N s/m
+  constexpr double damping = 3.0;     // N s/m, chosen: stable on every device of devices.toml
   constexpr double smoothing = 5e-3;  // s
   constexpr double memory = 0.5;      // s: a swing goes on making debts, and what came to rest is forgiven
-  constexpr double fastest = 2.0;     // m/s, beyond what the gate follows
-  if (std::isfinite(speed)) speed_ += (std::clamp(speed, -fastest, fastest) - speed_) * period_ / (period_ + smoothing);
+  if (std::isfinite(speed))
+    speed_ += (std::clamp(speed, -top_speed, top_speed) - speed_) * period_ / (period_ + smoothing);
   owed_ -= owed_ * period_ / memory;
-  const double wanted = strongest * speed_ * speed_ * period_;
+  const double wanted = damping * speed_ * speed_ * period_;
   if (owed_ <= 0.0 || wanted <= 0.0) return 0.0;
   const double share = std::min(owed_ / wanted, 1.0);
   owed_ -= share * wanted;
-  return share * strongest * speed_;
+  return share * damping * speed_;
 }
 
-double PassivityLayer::ceiling(const Vec3& force, const Vec3& velocity) const noexcept {
-  const double size = force.norm(), power = force.dot(velocity);
-  const double way = size > 0.0 ? power / size * reach_ + quantum_ : 0.0;  // m, that it may come with the force
-  if (!(power >= 0.0 && way > 0.0)) return std::numeric_limits<double>::infinity();
-  return std::max(tank_, 0.0) / way;
+double PassivityLayer::ceiling(const Vec3& force) const noexcept {
+  const double size = force.norm(), with = size > 0.0 ? force.dot(step_) / size : -1.0;  // m, in a tick
+  // What it may go with the force until another force can take its place, and what a quantum hides of it.
+  const double way = with * (1.0 + delay_time_ / period_) + quantum_;
+  if (!(with >= 0.0 && way > 0.0)) return std::numeric_limits<double>::infinity();
+  return std::max(work_ - lost_, 0.0) / way;
 }
 
 }  // namespace acus::haptics

@@ -24,20 +24,20 @@ Servo::Servo(const ServoSettings& settings)
       start_travel_(settings.start_travel),
       hand_travel_(settings.start_travel) {}
 
-// A new word of the simulation says something else about the place where the hand is now. The difference fades
-// over as long as that word was awaited, unless the needle has really jumped.
+// A new word of the simulation says something else about the place where the hand is now. The difference
+// fades over as long as that word was awaited, unless the needle has really jumped.
 LocalForce Servo::blended(LocalForce local, double now) noexcept {
   local.stiffness = std::clamp(local.stiffness, 0.0, coupling_.stiffness);  // the grip's, or less
   if (local.time != known_.time) {
-    constexpr double longest = 30e-3;  // s
+    constexpr double longest = 5e-3;  // s: later is too late
     const double left = blend_time_ > 0.0 ? std::max(1.0 - (now - blend_from_) / blend_time_, 0.0) : 0.0;
     const bool follows = known_.time >= 0.0 && !local.jumped;
     offset_ = follows ? left * offset_ + force_at(known_, hand_travel_) - force_at(local, hand_travel_) : 0.0;
     if (!std::isfinite(offset_)) offset_ = 0.0;  // one bad word must not spoil those after it
     blend_from_ = now;
-    passivity_.compare(local.work, local.felt);
     blend_time_ = follows ? std::clamp(local.time - known_.time, 0.0, longest) : 0.0;
     known_ = local;
+    passivity_.compare(local.hand.work, local.hand.felt, local.taken, local.stored);
   }
   if (blend_time_ > 0.0) local.force += offset_ * std::max(1.0 - (now - blend_from_) / blend_time_, 0.0);
   return local;
@@ -65,10 +65,12 @@ Wrench Servo::tick(const DeviceState& device, const LocalForce& local) noexcept 
   }
   constexpr double never = 1.0;  // s: older than any age that is followed
   const double age = device.ready && local.time >= 0.0 ? device.time - local.time : never;
-  const GateOutput out =
-      gate_.pass({three(force), {}, three(device.velocity), std::max(age, 0.0), device.time - last_tick_,
-                  std::min(passivity_.ceiling(force, device.velocity),
-                           passivity_.ceiling(shown_, device.velocity))});
+  const GateOutput out = gate_.pass({three(force),
+                                     {},
+                                     three(device.velocity),
+                                     std::max(age, 0.0),
+                                     device.time - last_tick_,
+                                     std::min(passivity_.ceiling(force), passivity_.ceiling(shown_))});
   last_tick_ = device.time;
   shown_ = Vec3(out.force.data());
   return {shown_, Vec3(out.torque.data())};

@@ -1,5 +1,5 @@
-// One tick of the haptic loop, whole: from where the device is to what it shows, and how far the hand has come.
-// No thread and no clock: the same code runs under a driver's callback, in a paced loop, and in the
+// One tick of the haptic loop, whole: from where the device is to what it shows, and how far the hand has
+// come. No thread and no clock: the same code runs under a driver's callback, in a paced loop, and in the
 // virtual time of the proofs.
 #pragma once
 
@@ -26,12 +26,9 @@ class Servo {
   // counted on the device's clock. Allocates nothing.
   Wrench tick(const DeviceState& device, const LocalForce& local) noexcept;
 
-  // How far the hand has come along the needle, for the simulation. m
-  double hand_travel() const { return hand_travel_; }
-  // What the hand has felt to do on the way there. J
-  double felt_work() const { return passivity_.felt_work(); }
+  // Where the hand is, for the simulation.
+  HandMotion hand() const { return {hand_travel_, passivity_.work(), passivity_.felt_work()}; }
   const VirtualCoupling& coupling() const { return coupling_; }
-  const PassivityLayer& passivity() const { return passivity_; }
   const ForceGate& gate() const { return gate_; }
   void rearm() noexcept { gate_.rearm(); }
 
@@ -46,10 +43,10 @@ class Servo {
   double hand_travel_;
   bool placed_ = false;  // the device has been ready once
   Vec3 origin_ = Vec3::Zero();
-  double last_tick_ = 0.0;  // s
+  double last_tick_ = 0.0;                               // s
   Vec3 position_ = Vec3::Zero(), shown_ = Vec3::Zero();  // of the last tick, m and N
-  LocalForce known_;        // what was last blended in
-  double offset_ = 0.0;     // N, from the known force to the one that was shown when it came
+  LocalForce known_;                                     // what was last blended in
+  double offset_ = 0.0;  // N, from the known force to the one that was shown when it came
   double blend_from_ = 0.0, blend_time_ = 0.0;  // s
 };
 

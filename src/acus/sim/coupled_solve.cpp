@@ -13,6 +13,7 @@ using numeric::NodeVector;
 
 constexpr int max_passes = 12;             // branch corrections; two or three are usual
 constexpr int max_iterations = 4000;       // of one conjugate-gradient solve
+constexpr double rate_resolution = 1e-12;  // m/s: slower is at rest
 constexpr double finest_influence = 1e-5;  // relative residual of y: floats go no further
 
 // y += h sum over sticking points of rate_j h W_j^T a (W_j a . x): their springs act within the step.
@@ -84,13 +85,12 @@ Reaction gather_reaction(const Model& m, const State& s, const Scratch& w, doubl
 }
 
 // The needle's rate at which column, reaction and configurational force balance.
-double balanced_rate(const Model& m, const State& s, const Reaction& r, double hand_travel, double free_length,
-                     double configurational_force, double guess) {
+double balanced_rate(const Model& m, const State& s, const Reaction& r, double hand_travel,
+                     double free_length, double configurational_force, double guess) {
   const double h = m.scene.run.time_step;
   const auto imbalance = [&](double rate) {
     const double taken_up = hand_travel - s.tip_position - h * rate;
-    return r.constant + r.rate * rate + configurational_force -
-           column_load(m, free_length, taken_up);
+    return r.constant + r.rate * rate + configurational_force - column_load(m, free_length, taken_up);
   };
   double width = 1e-5;  // m/s, grows until it brackets the root: the imbalance rises with the rate
   // m/s. Where everything slips there may be no balance, because a folding column's load is bounded: then the
@@ -105,8 +105,7 @@ double balanced_rate(const Model& m, const State& s, const Reaction& r, double h
     if (width > fastest) return high;
     high += (width *= 4.0);
   }
-  constexpr double resolution = 1e-12;  // m/s
-  return numeric::bracketed_root(imbalance, low, high, resolution);
+  return numeric::bracketed_root(imbalance, low, high, rate_resolution);
 }
 
 // Every point's branch for the present rates. Returns whether any changed.
@@ -242,8 +241,10 @@ CoupledOutcome solve_coupled(const Model& m, State& s, Scratch& w, double hand_t
       }
       continue;
     }
-    // Correcting the rate through an inexact y leaves this much of a residual.
-    if (std::abs(rate - guess) * answer.residual_norm <= target) {
+    // Correcting the rate through an inexact y leaves this much of a residual; where all is at rest there is
+    // nothing to measure it by.
+    const double correction = std::abs(rate - guess);
+    if (correction <= rate_resolution || correction * answer.residual_norm <= target) {
       s.tip_rate = rate;
       return outcome;
     }

@@ -1,8 +1,8 @@
 // One implicit step of needle and tissue together.
 //
 // Unknowns: the velocities v of the tissue and the one rate w of the needle along its axis. With P the
-// force of the column and the hand's grip at X1 - z0 - h w, X1 the hand, and f_j the sliders between needle and tissue (tip contact,
-// friction),
+// force of the column and the hand's grip at X1 - z0 - h w, X1 the hand, and f_j the sliders between needle
+// and tissue (tip contact, friction),
 //   A v = M v0 + h f_el + h sum_j f_j(w - W_j v) W_j^T a,
 //   0 = P(X1 - z0 - h w) - sum_j f_j(w - W_j v) - Q,
 // where W_j are the weights of attachment j, a the axis and Q the configurational force at the entry. On its

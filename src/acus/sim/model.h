@@ -19,7 +19,7 @@ struct Model {
   needle::Column column;
   double cutting_force = 0.0;    // N
   double grip_compliance = 0.0;  // m/N
-  mesh::InsertionPath path;    // entry, direction, length of tissue along it
+  mesh::InsertionPath path;      // entry, direction, length of tissue along it
 
   // All of the tissue; empty when it is rigid.
   mesh::TetMesh mesh;  // m, at rest; free nodes first

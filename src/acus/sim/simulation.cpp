@@ -57,7 +57,7 @@ double Simulation::hand_stiffness() {
   if (p.state.steps == 0 || p.frame.health != Health::good) return 0.0;
   const NeedlePlace place = place_needle(p.model, p.state);
   const double free = needle::column_response(p.model.column, place.free_length, place.shortening).stiffness;
-  const double column = free / (1.0 + free * p.model.grip_compliance);  // in series with the grip
+  const double column = free / (1.0 + free * p.model.grip_compliance);    // in series with the grip
   if (p.model.rigid()) return p.state.tip_position < 0.0 ? 0.0 : column;  // not at the stop yet
   // The column in series with what it pushes: P(X - z - h w) = constant + resistance w.
   const double against = resistance(p.model, p.scratch);

@@ -162,7 +162,8 @@ bool move_together(const Model& m, State& s, Scratch& w, double hand_travel, Bef
   probe(StepPart::assembly);
   w.velocity_before = s.velocity;
   numeric::add_scaled_into(s.velocity, 1.0, s.velocity_change);  // a start near the answer
-  const CoupledOutcome solved = solve_coupled(m, s, w, hand_travel, before.place.free_length, configurational);
+  const CoupledOutcome solved =
+      solve_coupled(m, s, w, hand_travel, before.place.free_length, configurational);
   if (solved.broke_down) return false;
   frame.solver_iterations = solved.iterations;
   s.velocity_change = s.velocity;

@@ -21,17 +21,18 @@ int do_device_list() {
 }
 
 int do_device_check(const std::string& name) {
-  Result<std::unique_ptr<haptics::Device>> device = haptics::open_device(name);
-  if (!device) return refused(device.error().sentence, bad_input);
+  const Result<haptics::OpenDevice> opened = haptics::open_device(name);
+  if (!opened) return refused(opened.error().sentence, bad_input);
+  haptics::Device& device = *opened->device;
   constexpr double duration = 6.0;  // s
   std::printf(
       "Research and training simulator, not a medical device.\n"
-      "Hold %s loosely: for %g s it pushes towards you with at most half a newton. Ctrl-C ends it.\n",
-      (*device)->limits().title.c_str(), duration);
+      "Hold %s (%s) loosely: for %g s it pushes towards you with at most half a newton. Ctrl-C ends it.\n",
+      device.limits().title.c_str(), opened->by->proof, duration);
   std::fflush(stdout);
   catch_interruptions();
-  const haptics::DeviceCheck check = haptics::check_device(**device, duration, interruption_flag());
-  std::fputs(haptics::in_words(check, (*device)->limits()).c_str(), stdout);
+  const haptics::DeviceCheck check = haptics::check_device(device, duration, interruption_flag());
+  std::fputs(haptics::in_words(check, device.limits()).c_str(), stdout);
   if (check.lost) return refused(check.lost->sentence, run_failed);
   if (interrupted()) return refused("interrupted", run_failed);
   return check.ready_ticks > 0 && check.fault == haptics::GateFault::none

@@ -16,22 +16,22 @@ namespace acus::app {
 int do_serve(const ServeOptions& options) {
   const Result<Scene> scene = io::read_scene(options.scene, options.settings);
   if (!scene) return refused(scene.error().sentence, bad_input);
-  Result<std::unique_ptr<haptics::Device>> device = haptics::open_device(options.device);
-  if (!device) return refused(device.error().sentence, bad_input);
-  Result<Simulation> simulation = io::build_simulation(haptics::held_by((*device)->limits(), *scene));
+  const Result<haptics::OpenDevice> opened = haptics::open_device(options.device);
+  if (!opened) return refused(opened.error().sentence, bad_input);
+  haptics::Device& device = *opened->device;
+  Result<Simulation> simulation = io::build_simulation(haptics::held_by(device.limits(), *scene));
   if (!simulation) return refused(options.scene + ": " + simulation.error().sentence, bad_input);
   haptics::LoopSettings settings;
   settings.force_limit = options.force_limit;
   std::printf(
       "Research and training simulator, not a medical device.\n"
-      "%s shows the needle now; it is felt from 5 mm ahead of where the handle is when it becomes ready. "
-      "Ctrl-C "
-      "ends it.\n",
-      (*device)->limits().title.c_str());
+      "%s (%s) shows the needle now; it is felt from 5 mm ahead of where the handle is when it becomes "
+      "ready.\nCtrl-C ends it.\n",
+      device.limits().title.c_str(), opened->by->proof);
   std::fflush(stdout);
   catch_interruptions();
   const haptics::StopAfter stop(options.seconds, interruption_flag());
-  const haptics::LoopOutcome outcome = haptics::run_loop(**device, *simulation, settings, stop.flag());
+  const haptics::LoopOutcome outcome = haptics::run_loop(device, *simulation, settings, stop.flag());
   std::fputs(haptics::in_words(outcome.report).c_str(), stdout);
   if (outcome.lost) return refused(outcome.lost->sentence, run_failed);
   if (outcome.report.health != Health::good)

@@ -161,7 +161,7 @@ TEST_F(ForceDimension, limits_are_those_of_an_omega) {
 TEST_F(ForceDimension, device_is_opened_by_its_number) {
   EXPECT_TRUE(open());
   EXPECT_EQ(report().index, 0);
-  const Result<std::unique_ptr<Device>> device = open_device("force_dimension:3");
+  const Result<OpenDevice> device = open_device("force_dimension:3");
   ASSERT_TRUE(device.ok()) << device.error().sentence;
   EXPECT_EQ(report().index, 3);
   for (const char* wrong : {"x", "-1", "12", "1 "}) expect_one_sentence_with(refusal(wrong), wrong);

@@ -275,7 +275,7 @@ TEST_F(OpenHaptics, number_that_the_driver_does_not_know_is_no_error_of_the_sess
 TEST_F(OpenHaptics, device_is_opened_by_its_name_or_as_the_default_one) {
   EXPECT_TRUE(open());
   EXPECT_TRUE(report().default_name);
-  const Result<std::unique_ptr<Device>> device = open_device("openhaptics:Right Device");
+  const Result<OpenDevice> device = open_device("openhaptics:Right Device");
   ASSERT_TRUE(device.ok()) << device.error().sentence;
   EXPECT_FALSE(report().default_name);
   EXPECT_STREQ(report().name, "Right Device");

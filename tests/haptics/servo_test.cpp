@@ -157,6 +157,36 @@ TEST(Servo, is_at_zero_within_100_ms_of_the_simulations_last_word) {
   EXPECT_EQ(grown_old(99), 0.0);
 }
 
+// Whenever the simulation falls silent, however fast it had spoken and whatever the hand does meanwhile.
+TEST(Servo, is_at_zero_within_100_ms_in_a_thousand_stalls) {
+  std::mt19937 random(11);
+  const auto any = [&](double low, double high) {
+    return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
+  };
+  int felt = 0;
+  for (int trial = 0; trial < 1000; ++trial) {
+    Armed loop;
+    const int period = 1 + static_cast<int>(random() % 33);
+    const double stiffness = any(10.0, 400.0), swing = any(1e-3, 5e-3), rate = any(5.0, 40.0);
+    const int stall = 200 + static_cast<int>(random() % 300);
+    LocalForce word;
+    double when_silent = 0.0, force = 0.0, way = 0.0;
+    for (int i = 0; i < stall + 100; ++i) {
+      if (i < stall && i % period == 0) {
+        word = loop.fresh(loop.servo.hand().travel, stiffness * (way + 2e-3), stiffness);
+        when_silent = i;
+      }
+      way = swing * (1.0 - std::cos(rate * i * 1e-3));
+      force = loop.tick(way, word);
+      felt += i == stall - 1 && force > 0.05;
+      if (i - when_silent >= 100) {
+        ASSERT_EQ(force, 0.0) << "trial " << trial << ", " << i - when_silent << " ms after the last word";
+      }
+    }
+  }
+  EXPECT_GT(felt, 500);
+}
+
 // What is no number, from either side, turns the force off and leaves the hand where it was.
 TEST(Servo, never_tells_the_simulation_a_number_that_is_none) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();

@@ -5,29 +5,27 @@
 #include <algorithm>
 
 #include "acus/haptics/handle.h"
+#include "acus/haptics/virtual_coupling.h"
 
 namespace acus::haptics {
 namespace {
 
-// --- a spring rendered through a sampled loop
-// ------------------------------------------------------------------
-
-// How a swing in a virtual spring K changes over a long time: above 1 it grows. The handle alone, no hand, no
-// dry friction, no quanta: the linear system of the theory.
-double growth(double K, double b, double T, double delay) {
-  DeviceLimits limits;
-  limits.mass = 0.045;
-  limits.viscous = b;
-  limits.delay = delay;
+// How a swing in a virtual spring K with a virtual damper B changes over a long time: above 1 it grows. The
+// handle alone, no hand, no dry friction, no quanta: the linear system of the theory.
+double growth(double K, double B, DeviceLimits limits, double T) {
+  limits.coulomb = limits.quantum = 0.0;
   Handle handle(limits, no_hand, {1e-3, 0.0, 0.0});
+  Vec3 before = handle.position();
   constexpr double duration = 40.0;  // s
   double early = 0.0, late = 0.0;
   const auto ticks = static_cast<long>(duration / T);
   for (long i = 0; i < ticks; ++i) {
-    handle.command(-K * handle.position());
+    const Vec3 velocity = (handle.position() - before) / T;
+    before = handle.position();
+    handle.command(-K * handle.position() - B * velocity);
     handle.advance_to(static_cast<double>(i + 1) * T, {});
     const double energy =
-        0.5 * 0.045 * handle.velocity().squaredNorm() + 0.5 * K * handle.position().squaredNorm();
+        0.5 * limits.mass * handle.velocity().squaredNorm() + 0.5 * K * handle.position().squaredNorm();
     if (i > ticks / 8 && i < ticks / 4) early = std::max(early, energy);
     if (i > ticks * 7 / 8) late = std::max(late, energy);
     if (energy > 1e3) return 1e9;
@@ -43,15 +41,27 @@ TEST(Handle, loses_stability_where_the_theory_of_sampled_springs_says) {
       constexpr double T = 1e-3;
       const double theory = b / (T / 2.0 + delay);
       SCOPED_TRACE(testing::Message() << "b " << b << " delay " << delay);
+      DeviceLimits limits;
+      limits.mass = 0.045;
+      limits.viscous = b;
+      limits.delay = delay;
       double stable = 0.9 * theory, unstable = 1.2 * theory;
-      ASSERT_LT(growth(stable, b, T, delay), 1.0);
-      ASSERT_GT(growth(unstable, b, T, delay), 1.0);
+      ASSERT_LT(growth(stable, 0.0, limits, T), 1.0);
+      ASSERT_GT(growth(unstable, 0.0, limits, T), 1.0);
       while (unstable - stable > 0.01 * theory) {
         const double K = 0.5 * (stable + unstable);
-        (growth(K, b, T, delay) > 1.0 ? unstable : stable) = K;
+        (growth(K, 0.0, limits, T) > 1.0 ? unstable : stable) = K;
       }
       EXPECT_NEAR(0.5 * (stable + unstable), theory, 0.02 * theory);
     }
+}
+
+// Even where nothing but the coupling holds the handle, and nothing but its own friction helps.
+TEST(VirtualCoupling, has_a_gain_margin_of_two_on_every_device) {
+  for (const DeviceLimits& device : known_devices()) {
+    const VirtualCoupling coupling = coupling_for(device);
+    EXPECT_LT(growth(1.95 * coupling.stiffness, coupling.damping, device, 1e-3), 1.0) << device.name;
+  }
 }
 
 }  // namespace

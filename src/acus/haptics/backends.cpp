@@ -22,12 +22,17 @@ std::span<const Backend> backends() {
   return all;
 }
 
-Result<std::unique_ptr<Device>> open_device(const std::string& name) {
+Result<OpenDevice> open_device(const std::string& name) {
   const std::size_t colon = name.find(':');
   const std::string backend = name.substr(0, colon);
   std::vector<std::string> names;
   for (const Backend& known : backends()) {
-    if (known.name == backend) return known.open(colon == std::string::npos ? "" : name.substr(colon + 1));
+    if (known.name == backend) {
+      Result<std::unique_ptr<Device>> device =
+          known.open(colon == std::string::npos ? "" : name.substr(colon + 1));
+      if (!device) return device.error();
+      return OpenDevice{&known, std::move(*device)};
+    }
     names.push_back(known.name);
   }
   const std::string near = io::nearest_word(backend, names);

@@ -24,7 +24,12 @@ inline constexpr const char* emulator_only = "tested against an emulator only";
 
 std::span<const Backend> backends();
 
+struct OpenDevice {
+  const Backend* by;
+  std::unique_ptr<Device> device;
+};
+
 // "name" or "name:argument".
-Result<std::unique_ptr<Device>> open_device(const std::string& name);
+Result<OpenDevice> open_device(const std::string& name);
 
 }  // namespace acus::haptics

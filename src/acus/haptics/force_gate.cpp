@@ -23,6 +23,7 @@ constexpr double top_speed = 1.2;      // m/s
 // s, in which a GateFault takes the force away: none, not_finite, stale (with time to spare before 100 ms),
 // over_speed, overheated.
 constexpr std::array<double, 5> fade_times{0.0, 0.0, 45e-3, 0.0, 1.0};
+constexpr double noticed = 1e-3;     // N: rounding about nothing is no intervention
 constexpr double window_time = 0.1;  // s
 constexpr double mean_time = 10.0;   // s
 constexpr double most = 1e6;         // N, N m or m/s: nothing here is larger, and its norm is a number
@@ -137,7 +138,7 @@ void ForceGate::arm(const GateOutput& wanted, GateFault wrong, double elapsed) n
 
 void ForceGate::move_towards(const GateOutput& wanted, double ceiling, double elapsed) noexcept {
   const Triple allowed = clamped(wanted.force, std::max(ceiling, 0.0));
-  interventions_.ceiling += allowed != wanted.force;
+  interventions_.ceiling += norm(wanted.force) > norm(allowed) + noticed;
   const GateOutput aim{clamped(allowed, limits_.peak_force), clamped(wanted.torque, limits_.peak_torque)};
   interventions_.peak += aim.force != allowed || aim.torque != wanted.torque;
   const GateOutput next{slewed(last_.force, aim.force, elapsed, 1.0),

@@ -1,6 +1,8 @@
 // Counts every operator new of the program, whose one source file includes this.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cstdlib>
 #include <new>
 
@@ -29,4 +31,10 @@ thread_local long allocations = 0;  // of this thread: others may do as they lik
 [[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
   std::free(memory);
+}
+
+TEST(CountedAllocations, are_seen_by_this_program) {
+  const long before = allocations;
+  ::operator delete(::operator new(1000));  // called by name, so that no compiler may leave it out
+  EXPECT_EQ(allocations, before + 1);
 }

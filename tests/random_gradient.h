@@ -10,7 +10,7 @@
 namespace acus::testing {
 
 // A million where the code runs at full speed; the sanitizers make each some fifty times dearer.
-#ifdef __SANITIZE_ADDRESS__
+#ifdef ACUS_SANITIZED
 inline constexpr int gradient_count = 20'000;
 #else
 inline constexpr int gradient_count = 1'000'000;

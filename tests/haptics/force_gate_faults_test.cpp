@@ -245,7 +245,7 @@ TEST(ForceGate, follows_the_faster_of_two_faults_and_tells_the_first) {
 // --- whatever comes
 
 TEST(ForceGate, a_million_ticks_of_anything_give_finite_bounded_slow_forces) {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef ACUS_SANITIZED
   constexpr int ticks = 100'000;
 #else
   constexpr int ticks = 1'000'000;

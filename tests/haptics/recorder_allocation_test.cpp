@@ -10,13 +10,6 @@
 namespace acus::haptics {
 namespace {
 
-TEST(RecorderAllocation, is_seen_by_this_program) {
-  const long before = allocations;
-  std::vector<double> some(1000);
-  EXPECT_EQ(allocations, before + 1);
-  EXPECT_EQ(some[7], 0.0);
-}
-
 // With room, without room, and after the disk was given up.
 TEST(RecorderAllocation, is_none_in_a_step_or_a_tick) {
   const std::string path = ::testing::TempDir() + "acus_recorder_allocation_test";

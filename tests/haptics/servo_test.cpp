@@ -205,7 +205,7 @@ TEST(Servo, never_tells_the_simulation_a_number_that_is_none) {
 // Every number that comes in is now and then none, infinite or absurd. What goes out is finite and within the
 // limit in every tick, and once all is well and somebody rearms the gate, the needle is felt again.
 TEST(Servo, stands_a_million_ticks_of_broken_numbers_at_every_interface) {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef ACUS_SANITIZED
   constexpr long ticks = 100'000;
 #else
   constexpr long ticks = 1'000'000;

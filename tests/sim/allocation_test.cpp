@@ -9,13 +9,6 @@
 namespace acus {
 namespace {
 
-TEST(Allocation, is_seen_by_this_program) {
-  const long before = allocations;
-  std::vector<double> some(1000);
-  EXPECT_EQ(allocations, before + 1);
-  EXPECT_EQ(some[7], 0.0);
-}
-
 class StepAllocation : public ::testing::TestWithParam<std::pair<Element, Coupling>> {};
 INSTANTIATE_TEST_SUITE_P(, StepAllocation,
                          ::testing::Values(std::pair{Element::nodal_pressure, Coupling::embedded},

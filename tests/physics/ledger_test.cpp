@@ -58,12 +58,12 @@ TEST_P(Ledger, closes) {
   for (std::size_t k = 1; k < run.frames.size(); ++k)
     ASSERT_GT(run.frames[k].ledger.work_numerical,
               run.frames[k - 1].ledger.work_numerical - 1e-6 * most_work);
-  // Nor in the snap: it gives off what the column held, and takes in no more than the end-of-step force errs
-  // by.
+  // Nor in the snap: it gives off no more than the column held, and takes in, once, in the step of the
+  // puncture (8e-5 of the work), what the force at the step's end errs by.
   for (std::size_t k = 1; k < run.frames.size(); ++k) {
     const force::Ledger &before = run.frames[k - 1].ledger, &now = run.frames[k].ledger;
-    ASSERT_GT(now.work_snap, before.work_snap - 1e-3 * most_work) << run.frames[k].time;
-    ASSERT_LT(now.work_snap, before.work_snap + before.energy_needle + 1e-3 * most_work)
+    ASSERT_GT(now.work_snap, before.work_snap - 1.5e-4 * most_work) << run.frames[k].time;
+    ASSERT_LT(now.work_snap, before.work_snap + before.energy_needle + 1e-6 * most_work)
         << run.frames[k].time;
   }
 }

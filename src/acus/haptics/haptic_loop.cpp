@@ -85,7 +85,8 @@ LoopOutcome run_loop(Device& device, Simulation& simulation, const LoopSettings&
   LoopTick tick(exchange, {device.limits(), settings.force_limit, settings.start_travel, 1e-3}, report);
   std::atomic<bool> over{false};
   std::thread simulating([&] { simulate(exchange, simulation, report, over); });
-  report.not_real_time = become_real_time();
+  const RealTime real_time;
+  report.not_real_time = real_time.refusal();
   outcome.lost = device.serve(tick, stop);
   over = true;
   simulating.join();

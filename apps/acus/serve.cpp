@@ -23,6 +23,13 @@ int do_serve(const ServeOptions& options) {
   if (!simulation) return refused(options.scene + ": " + simulation.error().sentence, bad_input);
   haptics::LoopSettings settings;
   settings.force_limit = options.force_limit;
+  settings.announce = [](haptics::GateFault fault) {
+    if (fault == haptics::GateFault::none)
+      std::printf("The force is armed again.\n");
+    else
+      std::printf("Force off: %s. A button of the device arms it again.\n", haptics::in_words(fault).c_str());
+    std::fflush(stdout);
+  };
   std::printf(
       "Research and training simulator, not a medical device.\n"
       "%s (%s) shows the needle now; it is felt from 5 mm ahead of where the handle is when it becomes "

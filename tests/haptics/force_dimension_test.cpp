@@ -110,17 +110,17 @@ TEST_F(ForceDimension, stop_switches_the_force_off_and_the_device_can_be_served_
   EXPECT_FALSE(report().open);
 }
 
-TEST_F(ForceDimension, never_asks_tick_about_a_handle_that_is_not_calibrated) {
+TEST_F(ForceDimension, puts_out_nothing_while_the_handle_is_not_calibrated) {
   const auto device = open();
   ASSERT_TRUE(device);
   EMULATOR(fake_dhd_calibrate)(false);
   Steady tick(Vec3(1.0, 0.0, 0.0));
   Serving serving(*device, tick);
   ASSERT_TRUE(wait_for_forces(50));
-  EXPECT_EQ(tick.calls, 0);
+  EXPECT_GT(tick.calls, 0);  // so that it knows
   EXPECT_EQ(force(), Vec3::Zero().eval());
   EMULATOR(fake_dhd_calibrate)(true);
-  EXPECT_TRUE(wait_for([&] { return tick.calls > 0; }));
+  EXPECT_TRUE(wait_for([&] { return force() != Vec3::Zero(); }));
 }
 
 TEST_F(ForceDimension, failed_call_ends_the_session_without_force) {

@@ -148,7 +148,7 @@ TEST_F(OpenHaptics, can_be_served_again_after_a_stop) {
   }
 }
 
-TEST_F(OpenHaptics, never_asks_tick_about_a_handle_that_is_not_calibrated) {
+TEST_F(OpenHaptics, puts_out_nothing_while_the_handle_is_not_calibrated) {
   FakeHdSetup setup;
   setup.calibration = 0x5001;
   const auto device = open(setup);
@@ -156,7 +156,7 @@ TEST_F(OpenHaptics, never_asks_tick_about_a_handle_that_is_not_calibrated) {
   Steady tick(Vec3(1.0, 0.0, 0.0));
   Serving serving(*device, tick);
   ASSERT_TRUE(wait_for_frames(50));
-  EXPECT_EQ(tick.calls, 0);
+  EXPECT_GT(tick.calls, 0);  // so that it knows
   EXPECT_EQ(force(), Vec3::Zero().eval());
   EXPECT_FALSE(serving.stop().has_value());
 }
@@ -181,10 +181,10 @@ TEST_F(OpenHaptics, never_takes_the_place_of_the_handle_for_its_zero_unasked) {
   setup.calibration_styles = 1 << 0;  // encoder reset
   const auto device = open(setup);
   ASSERT_TRUE(device);
-  Steady tick;
+  Steady tick(Vec3(1.0, 0.0, 0.0));
   Serving serving(*device, tick);
   ASSERT_TRUE(wait_for_frames(50));
-  EXPECT_EQ(tick.calls, 0);
+  EXPECT_EQ(force(), Vec3::Zero().eval());
 }
 
 TEST_F(OpenHaptics, error_of_the_driver_ends_the_session_without_force) {

@@ -53,7 +53,7 @@ TEST(ServoCost, a_million_ticks_allocate_lock_and_fault_nothing) {
         Vec3(0.0, 0.0, i < 1000 ? 0.0 : -5e-3 + 5e-3 * std::cos(static_cast<double>(i - 1000) * 1e-3));
     state.ready = true;
     if (i % 5 == 0) {
-      LocalForce word{state.time, hand.read(), 100.0 * std::max(hand.read(), 0.0), 100.0, 10e-3, i % 50 == 0};
+      LocalForce word{state.time, hand.read(), 100.0 * std::max(hand.read(), 0.0), 100.0, 10e-3, i / 50};
       word.stored = 1.0;
       mailbox.write(word);
     }

@@ -24,8 +24,8 @@ class Armed {
     for (int i = 0; i <= 100; ++i) tick(50e-6 * i, fresh(-1e-3, 1.0, 0.0));
     for (int i = 0; i <= 100; ++i) tick(5e-3 - 50e-6 * i, fresh(-1e-3, 0.0, 0.0));
   }
-  LocalForce fresh(double travel, double force, double stiffness, bool jumped = false) const {
-    LocalForce word{time_, travel, force, stiffness, 10e-3, jumped};
+  LocalForce fresh(double travel, double force, double stiffness, long events = 0) const {
+    LocalForce word{time_, travel, force, stiffness, 10e-3, events};
     word.stored = 1.0;
     return word;
   }
@@ -126,7 +126,7 @@ TEST(Servo, is_continuous_between_the_words_of_a_slow_simulation) {
 TEST(Servo, lets_the_drop_of_a_puncture_through_within_two_ticks) {
   Armed loop;
   for (int i = 0; i < 50; ++i) loop.tick(10e-3, loop.fresh(8e-3, 1.0, 0.0));
-  const LocalForce punctured = loop.fresh(8e-3, 0.3, 0.0, true);
+  const LocalForce punctured = loop.fresh(8e-3, 0.3, 0.0, 1);
   loop.tick(10e-3, punctured);
   EXPECT_NEAR(loop.tick(10e-3, punctured), 0.3, 1e-12);
 }
@@ -223,7 +223,7 @@ TEST(Servo, stands_a_million_ticks_of_broken_numbers_at_every_interface) {
     state.position = Vec3(0.0, 0.0, -2.5e-3 * (1.0 - std::cos(t)));
     state.ready = true;
     const double travel = servo.hand().travel;
-    LocalForce word{t, travel, 100.0 * std::max(travel, 0.0), 100.0, 5e-3, false};
+    LocalForce word{t, travel, 100.0 * std::max(travel, 0.0), 100.0, 5e-3};
     word.stored = 1.0;
     if (i % 1000 == 999) {
       double* const fields[] = {&state.time,  &state.position.x(), &state.position.z(), &state.velocity.y(),
@@ -250,7 +250,7 @@ TEST(Servo, obeys_the_persons_own_limit) {
   for (int i = 0; i < 900; ++i) {
     state.time = i * 1e-3;
     state.position = Vec3(0.0, 0.0, -0.1e-3 * std::max(i - 600, 0));
-    force = servo.tick(state, {state.time, 0.0, 0.0, 1e4, 1.0, false}).force.norm();
+    force = servo.tick(state, {state.time, 0.0, 0.0, 1e4, 1.0}).force.norm();
   }
   EXPECT_NEAR(force, 0.5, 1e-12);
 }

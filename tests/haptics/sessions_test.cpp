@@ -89,7 +89,7 @@ Session session_of(unsigned number) {
 
 // m. A word every 10 ms or less often now and then leaves a swing of a few quanta of the encoder, on devices
 // without dry friction; of many sessions such ones are counted.
-constexpr double narrow_swing = 0.1e-3, wide_swing = 1e-3;
+constexpr double narrow_swing = 0.1e-3, wide_swing = 0.5e-3;
 double widest_swing(const Session& s) { return s.trial.period < 10e-3 ? narrow_swing : wide_swing; }
 
 void expect_well(const Session& s, const Finding& found) {
@@ -105,6 +105,13 @@ void expect_well(const Session& s, const Finding& found) {
   EXPECT_EQ(found.fault, GateFault::none);
   EXPECT_EQ(found.faulted,
             s.happening == Happening::replug || s.happening == Happening::long_stall);  // and rearmed
+  // With a simulation that keeps up, the hand at rest feels what the needle does. (After a fault in contact
+  // the gate waits for a needle that hardly pushes; what another scene holds the hand has not put in.)
+  const bool undisturbed = s.happening == Happening::nothing || s.happening == Happening::withdrawal ||
+                           s.happening == Happening::short_stall;
+  if (s.trial.period < 10e-3 && undisturbed) {
+    EXPECT_NEAR(found.last_force, std::abs(found.frame.hand_force), 0.05);
+  }
   if (s.happening == Happening::long_stall) {
     EXPECT_LT(found.longest_force_after_stall, 0.1);
   }
@@ -117,12 +124,13 @@ long asked_for(const char* name, long otherwise) {
 
 TEST(Sessions, none_diverges_hums_or_gives_energy_away) {
   const long one = asked_for("ACUS_SESSION", -1), count = asked_for("ACUS_SESSIONS", 500);
-  long swinging = 0;
+  long swinging = 0, touched = 0, buckled = 0, punctured = 0;
   for (long i = one >= 0 ? one : 0; i < (one >= 0 ? one + 1 : count); ++i) {
     const Session s = session_of(static_cast<unsigned>(i));
     SCOPED_TRACE(s.words);
     const Finding found = run(s.trial);
     expect_well(s, found);
+    touched += found.touched, buckled += found.buckled, punctured += found.punctured;
     if (found.limit_cycle > narrow_swing)
       ++swinging, std::printf("swings by %.3f mm: %s\n", 1e3 * found.limit_cycle, s.words.c_str());
     if (one >= 0)
@@ -132,7 +140,12 @@ TEST(Sessions, none_diverges_hums_or_gives_energy_away) {
           s.words.c_str(), found.largest_force, found.last_force, found.frame.hand_force,
           1e3 * found.largest_travel, 1e3 * found.limit_cycle, found.least_port_energy);
   }
-  EXPECT_LE(swinging, count > 500 ? count / 200 : 0);
+  if (one < 0) {
+    EXPECT_GT(touched, count / 2);
+    EXPECT_GT(buckled, count / 5);
+    EXPECT_GT(punctured, count / 5);
+  }
+  EXPECT_LE(swinging, count / 100);
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ struct Finding {
   GateFault fault = GateFault::none;              // at the end
   bool faulted = false;                           // ever
   GateInterventions interventions;
+  bool touched = false, buckled = false, punctured = false;
   Frame frame;  // the last
 };
 
@@ -148,6 +149,11 @@ inline Finding run(const Trial& trial) {
   found.fault = servo.gate().fault();
   found.interventions = servo.gate().interventions();
   found.frame = simulation->frame();
+  for (const Event& event : simulation->events()) {
+    found.touched |= event.kind == EventKind::contact;
+    found.buckled |= event.kind == EventKind::buckling;
+    found.punctured |= event.kind == EventKind::puncture;
+  }
   return found;
 }
 

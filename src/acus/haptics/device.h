@@ -23,7 +23,7 @@ struct DeviceState {
   Vec3 velocity = Vec3::Zero();         // m/s
   Mat3 orientation = Mat3::Identity();  // of the handle; the identity where the device does not measure it
   unsigned buttons = 0;                 // bit i: button i is down
-  bool ready = false;                   // calibrated and held; where it is false the force is not put out
+  bool ready = false;                   // calibrated and held; where it is false no force is put out
 };
 
 struct Wrench {
@@ -46,8 +46,9 @@ class Device {
 
   virtual const DeviceLimits& limits() const = 0;
 
-  // Calls `tick` at the device's rate, at 1 kHz where it has a choice, until `stop` is true; puts out nothing
-  // but what tick returns, and zero before it returns. An error says in one sentence how the device was lost.
+  // Calls `tick` at the device's rate, at 1 kHz where it has a choice, ready or not, until `stop` is true;
+  // puts out nothing but what tick returns, and zero before it returns. An error says in one sentence how the
+  // device was lost.
   virtual std::optional<Error> serve(Tick& tick, const std::atomic<bool>& stop) = 0;
 };
 

@@ -89,7 +89,8 @@ class ForceDimension final : public Device {
     for (; !stop; pace.wait()) {
       DeviceState state;
       if (!read(state)) return failure("say where it is");
-      const Vec3 force = state.ready ? tick(state).force : Vec3(Vec3::Zero());
+      const Vec3 wanted = tick(state).force;
+      const Vec3 force = state.ready ? wanted : Vec3(Vec3::Zero());
       if (driver_.set_force(force.x(), force.y(), force.z(), id_) < 0) return failure("take a force");
     }
     return std::nullopt;

@@ -16,7 +16,6 @@ constexpr double fall = 1000.0;        // N/s
 constexpr double quiet_force = 0.2;    // N
 constexpr int quiet_needed = 4;        // ticks
 constexpr double arming_time = 0.5;    // s
-constexpr double hold_after = 20e-3;   // s, of age
 constexpr double hold_damping = 1.0;   // N s/m
 constexpr double stale_after = 50e-3;  // s, of age
 constexpr double top_speed = 1.2;      // m/s
@@ -74,7 +73,7 @@ GateOutput ForceGate::pass(const GateCommand& command) noexcept {
   if (wrong != GateFault::none) latch(wrong);
 
   GateOutput wanted;
-  if (sound && command.age <= hold_after) {
+  if (sound && command.age <= followed_age) {
     wanted = held_ = {bounded(command.force), bounded(command.torque)};
     arm(wanted, wrong, counted);
   } else if (sound) {

@@ -12,7 +12,9 @@
 // latched;
 //   (before any force is on, only what is no number latches: the others just keep it off)
 // - arming: force only after 4 ticks of less than 0.2 N, then growing from nothing over 0.5 s;
-// - ceiling: norm of the force, fresh or held, at most what this tick allows (passivity_layer.h);
+// - ceiling: the force, fresh or held, goes no higher than this tick allows (passivity_layer.h), and falls to
+// that by the
+//   slew;
 // - slew: rises by at most 0.5 N/ms, falls by at most 1 N/ms;
 // - peak: norm of the force at most peak_force; last of all.
 // "Off" falls by the slew too: a blow to zero is a blow.
@@ -53,6 +55,9 @@ struct GateInterventions {
   long disarmed = 0;             // all or part of a fresh command was held back until the force is armed
   long ceiling = 0, slew = 0, peak = 0;
 };
+
+// s: of an older command the last one is held.
+inline constexpr double followed_age = 20e-3;
 
 class ForceGate {
  public:

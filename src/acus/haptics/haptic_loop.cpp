@@ -1,6 +1,7 @@
 #include "acus/haptics/haptic_loop.h"
 
 #include <thread>
+#include <utility>
 
 #include "acus/haptics/newest_value.h"
 #include "acus/haptics/pace.h"
@@ -15,6 +16,7 @@ struct HandWord {
   HandMotion motion;
   double device_time = 0.0;  // s
   double our_time = -1.0;    // s; negative before the first tick
+  GateFault fault = GateFault::none;
 };
 
 struct Exchange {
@@ -25,8 +27,9 @@ struct Exchange {
 // The device's thread, once a tick.
 class LoopTick final : public Tick {
  public:
-  LoopTick(Exchange& exchange, const ServoSettings& settings, LoopReport& report)
-      : exchange_(exchange), servo_(settings), report_(report) {}
+  LoopTick(Exchange& exchange, const ServoSettings& settings, LoopReport& report,
+           const std::atomic<bool>& stop)
+      : exchange_(exchange), servo_(settings), report_(report), stop_(stop) {}
 
   Wrench operator()(const DeviceState& state) noexcept override {
     const double start = monotonic_time();
@@ -34,30 +37,44 @@ class LoopTick final : public Tick {
     last_ = start;
     const LocalForce& word = exchange_.needle.read();
     if (word.time >= 0.0) report_.age.add(state.time - word.time);
+    if (stop_.load(std::memory_order_relaxed)) servo_.let_go();
+    // Whoever holds the device says when the force may come back after a fault.
+    if ((state.buttons & ~buttons_) != 0) servo_.rearm();
+    buttons_ = state.buttons;
     const Wrench wrench = servo_.tick(state, word);
-    exchange_.hand.write({servo_.hand(), state.time, start});
+    if (stop_.load(std::memory_order_relaxed) && wrench.force.isZero() && wrench.torque.isZero())
+      over_.store(true, std::memory_order_relaxed);
+    exchange_.hand.write({servo_.hand(), state.time, start, servo_.gate().fault()});
     report_.largest_force = std::max(report_.largest_force, wrench.force.norm());
     report_.work.add(monotonic_time() - start);
     return wrench;
   }
 
-  const ForceGate& gate() const { return servo_.gate(); }
+  const Servo& servo() const { return servo_; }
+  // Once it is to stop and the force has fallen to nothing.
+  const std::atomic<bool>& over() const { return over_; }
 
  private:
   Exchange& exchange_;
   Servo servo_;
   LoopReport& report_;
+  const std::atomic<bool>& stop_;
+  std::atomic<bool> over_{false};
+  unsigned buttons_ = 0;
   double last_ = 0.0;  // s
 };
 
 // The simulation's thread: a step for each time step of the wall clock.
-void simulate(Exchange& exchange, Simulation& simulation, LoopReport& report, const std::atomic<bool>& stop) {
+void simulate(Exchange& exchange, Simulation& simulation, LoopReport& report, const LoopSettings& settings,
+              const std::atomic<bool>& stop) {
   HubSimulation needle(simulation);
   Pace pace(simulation.scene().run.time_step);
+  GateFault told = GateFault::none;
   const double begin = monotonic_time(), from = simulation.frame().time;
-  while (!stop.load(std::memory_order_relaxed) && simulation.frame().health == Health::good) {
+  while (!stop.load(std::memory_order_relaxed)) {
     const HandWord hand = exchange.hand.read();
-    if (hand.our_time >= 0.0) {
+    if (hand.fault != std::exchange(told, hand.fault) && settings.announce) settings.announce(hand.fault);
+    if (hand.our_time >= 0.0 && simulation.frame().health == Health::good) {
       const double start = monotonic_time();
       LocalForce word = needle.step(hand.motion, 0.0);
       const double end = monotonic_time();
@@ -82,16 +99,17 @@ LoopOutcome run_loop(Device& device, Simulation& simulation, const LoopSettings&
   LoopReport& report = outcome.report;
   report.time_step = simulation.scene().run.time_step;
   Exchange exchange;
-  LoopTick tick(exchange, {device.limits(), settings.force_limit, settings.start_travel, 1e-3}, report);
+  LoopTick tick(exchange, {device.limits(), settings.force_limit, settings.start_travel, 1e-3}, report, stop);
   std::atomic<bool> over{false};
-  std::thread simulating([&] { simulate(exchange, simulation, report, over); });
+  std::thread simulating([&] { simulate(exchange, simulation, report, settings, over); });
   const RealTime real_time;
   report.not_real_time = real_time.refusal();
-  outcome.lost = device.serve(tick, stop);
+  outcome.lost = device.serve(tick, tick.over());
   over = true;
   simulating.join();
-  report.fault = tick.gate().fault();
-  report.interventions = tick.gate().interventions();
+  report.fault = tick.servo().gate().fault();
+  report.interventions = tick.servo().gate().interventions();
+  report.lowered = tick.servo().lowered();
   return outcome;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 
 #include "acus/haptics/device.h"
 #include "acus/haptics/hub_simulation.h"
@@ -14,6 +15,9 @@ struct LoopSettings {
   double force_limit = 0.0;  // N, the person's own; 0: the device's
   double start_travel =
       -5e-3;  // m, of the hand where the device is when it becomes ready; before first touch
+  // Told of every fault of the gate, and of GateFault::none when it is armed again; from the simulation's
+  // thread.
+  std::function<void(GateFault)> announce;
 };
 
 struct LoopOutcome {
@@ -21,8 +25,9 @@ struct LoopOutcome {
   std::optional<Error> lost;  // how the device was lost, if it was
 };
 
-// Runs until `stop` is true or the device is lost. The scene of `simulation` is held_by() the device. The
-// simulation runs at its own time step by the wall clock, or as fast as it can where it is slower than that.
+// Runs until `stop` is true and the force has fallen to nothing, or the device is lost. A button of the
+// device arms the gate again after a fault. The scene of `simulation` is held_by() the device. The simulation
+// runs at its own time step by the wall clock, or as fast as it can where it is slower than that.
 LoopOutcome run_loop(Device& device, Simulation& simulation, const LoopSettings& settings,
                      const std::atomic<bool>& stop);
 

@@ -13,13 +13,11 @@ LocalForce HubSimulation::step(const HandMotion& hand, double now) {
   last_.travel = hand.travel;
   last_.force = frame.hand_force;
   last_.stiffness = simulation_.hand_stiffness();
-  last_.radius = 2.0 * top_speed *
-                 simulation_.scene().run.time_step;  // as far as the hand can come before the next word
-  last_.jumped = simulation_.events().size() > events_;
+  last_.radius = 2.0 * top_speed * simulation_.scene().run.time_step;  // as far as a hand comes in two steps
+  last_.events = static_cast<long>(simulation_.events().size());
   const double give = grip_compliance(simulation_.scene().hand);
   last_.stored = force::stored(frame.ledger) + 0.5 * give * frame.hand_force * frame.hand_force;
   last_.hand = hand;
-  events_ = simulation_.events().size();
   return last_;
 }
 

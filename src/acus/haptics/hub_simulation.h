@@ -22,7 +22,6 @@ class HubSimulation {
  private:
   Simulation& simulation_;
   LocalForce last_;
-  std::size_t events_ = 0;  // that were known
 };
 
 }  // namespace acus::haptics

@@ -19,8 +19,8 @@ struct LocalForce {
   double force = 0.0;      // N, positive against the hand
   double stiffness = 0.0;  // N/m
   double radius = 0.0;     // m, on both sides of `travel`
-  bool jumped =
-      false;  // the needle has buckled, punctured or slipped since the last word: that one counts no more
+  long events =
+      0;  // of the needle, so far: where it has buckled, punctured or slipped, older words count no more
   double taken = 0.0;   // J, that the needle has taken from the hand on its way to `travel`
   double stored = 0.0;  // J, in grip, needle and tissue: what can come back to the hand
   HandMotion hand{};    // that the word answers

@@ -38,7 +38,7 @@ std::string gate_in_words(const LoopReport& report) {
       "Gate     largest force %.2f N; slowed in %ld ticks, clamped in %ld, lowered so as to give no energy "
       "away in %ld, "
       "held for a late simulation in %ld%s%s",
-      report.largest_force, gate.slew, gate.peak, gate.ceiling, gate.held,
+      report.largest_force, gate.slew, gate.peak, report.lowered, gate.held,
       report.fault == GateFault::none ? "" : "; force off: ", in_words(report.fault).c_str());
 }
 

@@ -15,6 +15,7 @@ struct LoopReport {
   DurationHistogram work;       // of our part of a tick
   DurationHistogram step;       // of the simulation's steps
   DurationHistogram age;        // of the simulation's word when a tick used it
+  long lowered = 0;             // ticks in which the force was lowered lest it give energy away
   double wall_time = 0.0;       // s, of the simulation's thread
   double simulated_time = 0.0;  // s
   double time_step = 0.0;       // s, of the simulation

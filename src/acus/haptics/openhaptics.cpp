@@ -73,7 +73,8 @@ void OpenHaptics::frame() noexcept {
   const bool quiet = exchange_.quiet;
   driver_.begin_frame(handle_);
   const DeviceState state = read();
-  put_out(quiet || !state.ready ? Wrench{} : (*tick_)(state));
+  const Wrench wanted = quiet ? Wrench{} : (*tick_)(state);
+  put_out(state.ready ? wanted : Wrench{});
   driver_.end_frame(handle_);
   if (const hd::Name code = driver_.forget_errors(); code != 0 && !quiet) {
     exchange_.error = code;

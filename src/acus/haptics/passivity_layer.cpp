@@ -8,7 +8,6 @@ namespace acus::haptics {
 namespace {
 
 // No number that comes in may spoil what comes after it: what no hand and no device does is not counted.
-constexpr double longest_step = 10e-3;     // m, in a tick
 constexpr double strongest_force = 100.0;  // N
 constexpr double top_speed = 2.0;          // m/s
 
@@ -18,22 +17,20 @@ PassivityLayer::PassivityLayer(const DeviceLimits& limits, double period)
     : period_(period),
       quantum_(limits.quantum),
       delay_time_(limits.delay),
-      delay_(std::min(static_cast<std::size_t>(std::lround(limits.delay / period)), most_on_the_way - 1)) {
-  told_.fill(Vec3::Zero());
-}
+      delay_(std::min(static_cast<std::size_t>(std::lround(limits.delay / period)), most_on_the_way - 1)) {}
 
-void PassivityLayer::moved(const Vec3& step, const Vec3& told) noexcept {
+void PassivityLayer::moved(double step, double told) noexcept {
   constexpr double recovery = 1e-3;  // W, chosen: half a second for what a bent needle holds
   lost_ = std::max(lost_ - recovery * period_, 0.0);
   newest_ = (newest_ + 1) % most_on_the_way;
   told_[newest_] = told;
   shown_sum_ += told_[(newest_ + most_on_the_way - delay_) % most_on_the_way];
   ++shown_ticks_;
-  step_ = step.norm() <= longest_step ? step : Vec3::Zero();
-  if (step.squaredNorm() == 0.0) return;
+  step_ = std::abs(step) <= longest_step ? step : 0.0;
+  if (step == 0.0) return;
   // A slow motion shows in one tick what it went in many, against the mean of what was shown in them.
-  work_ -= step_.dot(shown_sum_) / static_cast<double>(shown_ticks_);
-  shown_sum_.setZero();
+  work_ += step_ * shown_sum_ / static_cast<double>(shown_ticks_);
+  shown_sum_ = 0.0;
   shown_ticks_ = 0;
 }
 
@@ -55,9 +52,9 @@ void PassivityLayer::compare(double work, double felt, double taken, double stor
 }
 
 double PassivityLayer::damping_force(double speed) noexcept {
-  constexpr double damping = 3.0;     // N s/m, chosen: stable on every device of devices.toml
+  constexpr double damping = 5.0;     // N s/m, chosen: stable on every device of devices.toml
   constexpr double smoothing = 5e-3;  // s
-  constexpr double memory = 0.5;      // s: a swing goes on making debts, and what came to rest is forgiven
+  constexpr double memory = 0.2;      // s: a swing goes on making debts, and what came to rest is forgiven
   if (std::isfinite(speed))
     speed_ += (std::clamp(speed, -top_speed, top_speed) - speed_) * period_ / (period_ + smoothing);
   owed_ -= owed_ * period_ / memory;
@@ -68,11 +65,12 @@ double PassivityLayer::damping_force(double speed) noexcept {
   return share * damping * speed_;
 }
 
-double PassivityLayer::ceiling(const Vec3& force) const noexcept {
-  const double size = force.norm(), with = size > 0.0 ? force.dot(step_) / size : -1.0;  // m, in a tick
-  // What it may go with the force until another force can take its place, and what a quantum hides of it.
+double PassivityLayer::ceiling(double force) const noexcept {
+  const double with =
+      force > 0.0 ? -step_ : step_;  // m, that the device went with such a force in the last tick
+  // What it may go until another force can take its place, and what a quantum hides of it.
   const double way = with * (1.0 + delay_time_ / period_) + quantum_;
-  if (!(with >= 0.0 && way > 0.0)) return std::numeric_limits<double>::infinity();
+  if (with < 0.0 || !(way > 0.0)) return std::numeric_limits<double>::infinity();
   return std::max(work_ - lost_, 0.0) / way;
 }
 

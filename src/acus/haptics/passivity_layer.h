@@ -10,6 +10,9 @@
 // A damper takes back at once what wrong guesses gave (reference energy following: Ryu, Preusche, Hannaford
 // and Hirzinger, IEEE T-CST 13(3), 2005): where the felt force asked less work of the hand than the needle
 // then took, or gave more back, the difference is owed.
+//
+// All of this is along the needle, forward positive, forces positive against the hand. Across it the guide is
+// a spring and passive by itself.
 #pragma once
 
 #include <array>
@@ -18,6 +21,9 @@
 
 namespace acus::haptics {
 
+// m: no hand goes farther in a tick.
+inline constexpr double longest_step = 10e-3;
+
 class PassivityLayer {
  public:
   // `period` > 0 [s] is a tick's.
@@ -25,7 +31,7 @@ class PassivityLayer {
 
   // Once a tick, before all else: the device has moved by `step` [m] since the last one, in which it was told
   // to show `told` [N]. What it shows comes later by the device's delay.
-  void moved(const Vec3& step, const Vec3& told) noexcept;
+  void moved(double step, double told) noexcept;
 
   // Once a tick: the hand is at `travel` [m] along the needle, against `force` [N] by the local force.
   void felt(double travel, double force) noexcept;
@@ -41,20 +47,20 @@ class PassivityLayer {
   // Once a tick: the damper's force at `speed` [m/s] along the needle, against it. N
   double damping_force(double speed) noexcept;
 
-  // The strongest force along `force` that the device may show now: N, infinite where that is against its
+  // How strong a force of the sign of `force` the device may show now: N, infinite where that is against its
   // motion. A device at rest may have moved by less than a quantum, so there the tank counts too.
-  double ceiling(const Vec3& force) const noexcept;
+  double ceiling(double force) const noexcept;
 
  private:
   static constexpr std::size_t most_on_the_way = 16;
 
-  double period_, quantum_;   // s, m
-  double delay_time_;         // s
-  std::size_t delay_;         // whole ticks
-  Vec3 step_ = Vec3::Zero();  // m, of the last tick
-  std::array<Vec3, most_on_the_way> told_;
+  double period_, quantum_;  // s, m
+  double delay_time_;        // s
+  std::size_t delay_;        // whole ticks
+  double step_ = 0.0;        // m, of the last tick
+  std::array<double, most_on_the_way> told_{};
   std::size_t newest_ = 0;
-  Vec3 shown_sum_ = Vec3::Zero();  // N, since the device was last seen to move
+  double shown_sum_ = 0.0;  // N, since the device was last seen to move
   long shown_ticks_ = 0;
   double work_ = 0.0, lost_ = 0.0;  // J; the tank holds the difference
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace acus::haptics {
 namespace {
@@ -20,6 +21,7 @@ Servo::Servo(const ServoSettings& settings)
       gate_({person_and_device(settings.force_limit, settings.limits.peak_force),
              settings.limits.continuous_force, settings.limits.peak_torque}),
       passivity_(settings.limits, settings.period),
+      period_(settings.period),
       forward_(settings.limits.forward),
       start_travel_(settings.start_travel),
       hand_travel_(settings.start_travel) {}
@@ -31,7 +33,7 @@ LocalForce Servo::blended(LocalForce local, double now) noexcept {
   if (local.time != known_.time) {
     constexpr double longest = 5e-3;  // s: later is too late
     const double left = blend_time_ > 0.0 ? std::max(1.0 - (now - blend_from_) / blend_time_, 0.0) : 0.0;
-    const bool follows = known_.time >= 0.0 && !local.jumped;
+    const bool follows = known_.time >= 0.0 && local.events == known_.events;
     offset_ = follows ? left * offset_ + force_at(known_, hand_travel_) - force_at(local, hand_travel_) : 0.0;
     if (!std::isfinite(offset_)) offset_ = 0.0;  // one bad word must not spoil those after it
     blend_from_ = now;
@@ -43,37 +45,69 @@ LocalForce Servo::blended(LocalForce local, double now) noexcept {
   return local;
 }
 
+// Where the device first becomes ready, and again after it was not: the needle stays where it was, and the
+// force comes as at the start.
+void Servo::place(const DeviceState& device) noexcept {
+  if (!device.ready) placed_ = false;
+  if (!device.ready || placed_ || !device.position.allFinite()) return;
+  origin_ = position_ = device.position;
+  way_.setZero();
+  start_travel_ = hand_travel_;
+  placed_ = true;
+  gate_.rearm();
+}
+
 Wrench Servo::tick(const DeviceState& device, const LocalForce& local) noexcept {
-  if (device.ready && !placed_) {
-    origin_ = device.position;
-    last_tick_ = device.time;
-    placed_ = true;
-    position_ = device.position;
-  }
-  passivity_.moved(device.position - position_, shown_);
+  constexpr double never = 1.0;  // s: older than any age that is followed
+  place(device);
+  const bool speaks = placed_ && local.time >= 0.0;
+  const double age = speaks ? std::max(device.time - local.time, 0.0) : never;
+  const Vec3 step = device.position - position_;
+  const double shown = -forward_.dot(shown_);
+  passivity_.moved(placed_ ? forward_.dot(step) : 0.0, shown);
+  // A device that jumps is no hand that moves: the needle stays where it is, and the gate sees the speed.
+  const bool jumps = placed_ && step.allFinite() && step.norm() > longest_step;
+  const Vec3 velocity = jumps ? Vec3(step / period_) : device.velocity;
   position_ = device.position;
+  if (jumps) origin_ = device.position - way_;
+
   Vec3 force = Vec3::Zero();
-  if (device.ready && local.time >= 0.0) {
+  double ceiling = passivity_.ceiling(shown);
+  if (speaks) {
     const Vec3 way = device.position - origin_;
     const double along = forward_.dot(way);
-    if (std::isfinite(along)) hand_travel_ = start_travel_ + along;  // else the gate turns the force off
-    // The hub stays on the axis of insertion: across it the coupling holds the hand there.
+    if (way.allFinite()) {  // else the gate turns the force off
+      way_ = way;
+      hand_travel_ = start_travel_ + along;
+    }
+    const bool followed = age <= followed_age && gate_.state() == GateState::armed;
     const double needle = force_at(blended(local, device.time), start_travel_ + along);
-    passivity_.felt(start_travel_ + along, needle);
-    force = -(needle + passivity_.damping_force(forward_.dot(device.velocity))) * forward_ -
-            coupling_.stiffness * (way - along * forward_) - coupling_.damping * device.velocity;
+    passivity_.felt(start_travel_ + along, followed ? needle : shown);
+    const double drag = coupling_.damping * forward_.dot(device.velocity);
+    const double wanted = needle + drag + (followed ? passivity_.damping_force(forward_.dot(velocity)) : 0.0);
+    const double allowed = passivity_.ceiling(wanted);
+    const double felt = std::isnan(wanted) ? wanted : std::clamp(wanted, -allowed, allowed);
+    constexpr double noticed = 1e-3;  // N
+    lowered_ += followed && std::abs(wanted) > std::abs(felt) + noticed;
+    // The hub stays on the axis of insertion: across it the coupling holds the hand there.
+    force = -felt * forward_ - coupling_.stiffness * (way - along * forward_) -
+            coupling_.damping * (device.velocity - forward_.dot(device.velocity) * forward_);
+    if (age <= followed_age) ceiling = std::numeric_limits<double>::infinity();
   }
-  constexpr double never = 1.0;  // s: older than any age that is followed
-  const double age = device.ready && local.time >= 0.0 ? device.time - local.time : never;
+  if (let_go_) force.setZero();
   const GateOutput out = gate_.pass({three(force),
                                      {},
-                                     three(device.velocity),
-                                     std::max(age, 0.0),
+                                     three(velocity),
+                                     let_go_ ? 0.0 : age,
                                      device.time - last_tick_,
-                                     std::min(passivity_.ceiling(force), passivity_.ceiling(shown_))});
+                                     ceiling + across(shown_)});
   last_tick_ = device.time;
   shown_ = Vec3(out.force.data());
   return {shown_, Vec3(out.torque.data())};
+}
+
+double Servo::across(const Vec3& force) const noexcept {
+  return (force - forward_.dot(force) * forward_).norm();
 }
 
 }  // namespace acus::haptics

@@ -31,19 +31,28 @@ class Servo {
   const VirtualCoupling& coupling() const { return coupling_; }
   const ForceGate& gate() const { return gate_; }
   void rearm() noexcept { gate_.rearm(); }
+  // From the next tick on the force falls to nothing, and stays there.
+  void let_go() noexcept { let_go_ = true; }
+  // In how many ticks the force was lowered lest it give energy away.
+  long lowered() const { return lowered_ + gate_.interventions().ceiling; }
 
  private:
+  void place(const DeviceState& device) noexcept;
+  double across(const Vec3& force) const noexcept;
   LocalForce blended(LocalForce local, double now) noexcept;
 
   VirtualCoupling coupling_;
   ForceGate gate_;
   PassivityLayer passivity_;
+  double period_;  // s
   Vec3 forward_;
   double start_travel_;
   double hand_travel_;
-  bool placed_ = false;  // the device has been ready once
-  Vec3 origin_ = Vec3::Zero();
-  double last_tick_ = 0.0;                               // s
+  bool placed_ = false;  // the device is ready, and its place known
+  bool let_go_ = false;
+  long lowered_ = 0;
+  Vec3 origin_ = Vec3::Zero(), way_ = Vec3::Zero();  // m, of the device where it was placed, and from there
+  double last_tick_ = 0.0;                           // s
   Vec3 position_ = Vec3::Zero(), shown_ = Vec3::Zero();  // of the last tick, m and N
   LocalForce known_;                                     // what was last blended in
   double offset_ = 0.0;  // N, from the known force to the one that was shown when it came

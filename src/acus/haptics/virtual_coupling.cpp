@@ -13,7 +13,8 @@ VirtualCoupling coupling_for(const DeviceLimits& limits, double period) {
 }
 
 Scene held_by(const DeviceLimits& limits, Scene scene) {
-  const double stiffest = coupling_for(limits).stiffness;
+  constexpr double hardly = 1.0;  // N/m, for a device that may show no spring: 0 would be a rigid grip
+  const double stiffest = std::max(coupling_for(limits).stiffness, hardly);
   double& grip = scene.hand.stiffness;
   grip = grip > 0.0 ? std::min(grip, stiffest) : stiffest;
   return scene;

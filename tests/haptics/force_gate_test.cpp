@@ -177,6 +177,8 @@ TEST(ForceGate, lets_no_more_through_than_the_tick_allows) {
   EXPECT_DOUBLE_EQ(d.gate.pass({x(2.0), {}, {}, 0.0, 1e-3, infinity}).force[0], 2.0);
   EXPECT_DOUBLE_EQ(d.gate.pass({x(2.0), {}, {}, 0.0, 1e-3, 1.9995}).force[0], 1.9995);  // hardly
   EXPECT_EQ(d.gate.interventions().ceiling, 1);
+  EXPECT_DOUBLE_EQ(d.gate.pass({x(2.0), {}, {}, 0.0, 1e-3, 1.998}).force[0], 1.998);
+  EXPECT_EQ(d.gate.interventions().ceiling, 2);
   EXPECT_DOUBLE_EQ(d.ask(2.0), 2.0);
   EXPECT_EQ(d.gate.interventions().peak, 0);
   EXPECT_DOUBLE_EQ(d.gate.pass({x(2.0), {}, {}, 0.0, 1e-3, -1.0}).force[0],

@@ -34,7 +34,7 @@ class Armed {
     DeviceState state;
     state.time = time_;
     state.position = Vec3(0.03, -0.01, 0.02) + way * forward_ + across;
-    state.ready = true;
+    state.ready = ready;
     time_ += 1e-3;
     last = servo.tick(state, local).force;
     return -forward_.dot(last);
@@ -42,6 +42,7 @@ class Armed {
 
   Servo servo;
   Vec3 last = Vec3::Zero();
+  bool ready = true;
 
  private:
   Vec3 forward_;
@@ -240,6 +241,73 @@ TEST(Servo, stands_a_million_ticks_of_broken_numbers_at_every_interface) {
   }
   EXPECT_GT(faults, ticks / 4000);
   EXPECT_GT(felt, ticks / 10);
+}
+
+// The guide is a spring: it needs no energy of the needle's, and takes none from it.
+TEST(Servo, holds_the_hand_across_before_it_has_touched_anything) {
+  Armed loop;
+  const double before = loop.servo.hand().work;
+  for (int i = 0; i < 100; ++i) {
+    LocalForce word = loop.fresh(-1e-3, 0.0, 0.0);
+    word.stored = 0.0;
+    loop.tick(0.0, word, Vec3(1e-5 * std::min(i, 50), 0.0, 0.0));
+  }
+  EXPECT_NEAR(loop.last.x(), -0.5e-3 * loop.servo.coupling().stiffness, 1e-12);
+  EXPECT_NEAR(loop.servo.hand().work, before, 1e-12);
+}
+
+TEST(Servo, begins_where_the_device_first_says_a_place) {
+  Servo servo({touch(), 0.0, -5e-3, 1e-3});
+  DeviceState state;
+  state.ready = true;
+  state.position = Vec3(std::nan(""), 0.0, 0.0);
+  servo.tick(state, LocalForce{});
+  state.position = Vec3(0.1, 0.2, 0.3);
+  servo.tick(state, LocalForce{0.0, 0.0, 0.0, 0.0, 1.0});
+  EXPECT_EQ(servo.hand().travel, -5e-3);
+  servo.rearm();
+  state.position -= Vec3(0.0, 0.0, 2e-3);
+  servo.tick(state, LocalForce{0.0, 0.0, 0.0, 0.0, 1.0});
+  EXPECT_NEAR(servo.hand().travel, -3e-3, 1e-12);
+}
+
+TEST(Servo, leaves_the_needle_where_it_is_when_the_device_jumps) {
+  for (double far : {0.3, -0.3, 1e300}) {
+    Armed loop;
+    loop.tick(1e-3, loop.fresh(0.0, 0.0, 0.0));
+    const double travel = loop.servo.hand().travel;
+    loop.tick(far, loop.fresh(0.0, 0.0, 0.0));
+    EXPECT_NEAR(loop.servo.hand().travel, travel, 1e-12);
+    EXPECT_EQ(loop.servo.gate().fault(), GateFault::over_speed);
+    loop.tick(1e-3, loop.fresh(0.0, 0.0, 0.0));
+    loop.tick(2e-3, loop.fresh(0.0, 0.0, 0.0));
+    EXPECT_NEAR(loop.servo.hand().travel, travel + 1e-3, 1e-12);
+  }
+}
+
+// A handle that was calibrated again tells other coordinates: the needle stays, and the force comes as at the
+// start.
+TEST(Servo, begins_anew_when_the_device_is_ready_again) {
+  Armed loop;
+  for (int i = 0; i < 50; ++i) loop.tick(1e-3, loop.fresh(0.0, 2.0, 0.0));
+  EXPECT_NEAR(loop.last.norm(), 2.0, 1e-12);
+  const double travel = loop.servo.hand().travel;
+  loop.ready = false;
+  for (int i = 0; i < 300; ++i) loop.tick(1e-3, loop.fresh(0.0, 2.0, 0.0));
+  loop.ready = true;
+  for (int i = 0; i < 50; ++i) {
+    EXPECT_EQ(loop.tick(40e-3, loop.fresh(0.0, 2.0, 0.0)), 0.0);
+    EXPECT_NEAR(loop.servo.hand().travel, travel, 1e-12);
+  }
+}
+
+TEST(Servo, lets_go_by_the_slew) {
+  Armed loop;
+  for (int i = 0; i < 50; ++i) loop.tick(1e-3, loop.fresh(0.0, 2.5, 0.0));
+  loop.servo.let_go();
+  EXPECT_NEAR(loop.tick(1e-3, loop.fresh(0.0, 2.5, 0.0)), 1.5, 1e-12);
+  EXPECT_NEAR(loop.tick(1e-3, loop.fresh(0.0, 2.5, 0.0)), 0.5, 1e-12);
+  EXPECT_EQ(loop.tick(1e-3, loop.fresh(0.0, 2.5, 0.0)), 0.0);
 }
 
 TEST(Servo, obeys_the_persons_own_limit) {

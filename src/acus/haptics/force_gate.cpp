@@ -83,8 +83,7 @@ GateOutput ForceGate::pass(const GateCommand& command) noexcept {
   }
   if (fault_ != GateFault::none)
     share_ = fade_time_ > 0.0 ? std::max(share_ - elapsed / fade_time_, 0.0) : 0.0;
-  move_towards({scaled(wanted.force, share_), scaled(wanted.torque, share_)}, sound ? command.ceiling : 0.0,
-               counted);
+  move_towards({scaled(wanted.force, share_), scaled(wanted.torque, share_)}, command.ceiling, counted);
   remember(elapsed);
   return last_;
 }

@@ -74,7 +74,7 @@ Wrench Servo::tick(const DeviceState& device, const LocalForce& local) noexcept 
   Vec3 force = Vec3::Zero();
   double ceiling = passivity_.ceiling(shown);
   if (speaks) {
-    const Vec3 way = device.position - origin_;
+    const Vec3 way = jumps ? way_ : Vec3(device.position - origin_);
     const double along = forward_.dot(way);
     if (way.allFinite()) {  // else the gate turns the force off
       way_ = way;

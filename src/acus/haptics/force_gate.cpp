@@ -21,7 +21,7 @@ constexpr double stale_after = 50e-3;  // s, of age
 constexpr double top_speed = 1.2;      // m/s
 // s, in which a GateFault takes the force away: none, not_finite, stale (with time to spare before 100 ms),
 // over_speed, overheated.
-constexpr std::array<double, 5> fade_times{0.0, 0.0, 45e-3, 0.0, 1.0};
+constexpr std::array fade_times{0.0, 0.0, 45e-3, 0.0, 1.0};
 constexpr double noticed = 1e-3;     // N: rounding about nothing is no intervention
 constexpr double window_time = 0.1;  // s
 constexpr double mean_time = 10.0;   // s
@@ -57,7 +57,7 @@ Triple slewed(const Triple& last, const Triple& wanted, double elapsed, double u
   return sum(last, clamped(sum(wanted, last, -1.0), rate * unit * elapsed), 1.0);
 }
 
-double positive(double limit) noexcept { return limit > 0.0 && std::isfinite(limit) ? limit : 0.0; }
+double positive(double limit) noexcept { return std::isfinite(limit) ? std::max(limit, 0.0) : 0.0; }
 
 }  // namespace
 

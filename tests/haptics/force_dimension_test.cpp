@@ -2,9 +2,11 @@
 // they are, and however a session ends, it ends without force.
 #include "acus/haptics/force_dimension.h"
 
+#include <array>
 #include <cstdlib>
 
 #include "acus/haptics/backends.h"
+#include "acus/haptics/shared_library.h"
 #include "fake_dhd.h"
 #include "serving.h"
 
@@ -183,12 +185,14 @@ TEST_F(ForceDimension, missing_driver_or_function_is_one_sentence_that_says_what
   EXPECT_EQ(refusal(), force_dimension_missing());
 }
 
-TEST_F(ForceDimension, driver_is_looked_for_under_both_of_its_names) {
-  unsetenv("ACUS_LIBDHD");
-  const std::string sentence = force_dimension_missing();
-  if (sentence.empty()) GTEST_SKIP() << "the maker's driver is installed here";
-  expect_one_sentence_with(sentence, "libdhd.so:");
-  expect_one_sentence_with(sentence, "libdhd.so.3:");
+// With made-up names, so that it does not matter whose drivers are installed here.
+TEST(SharedLibrary, is_looked_for_under_each_of_its_names) {
+  constexpr std::array names = {"libacus_none.so", "libacus_none.so.3"};
+  const Result<SharedLibrary> none =
+      SharedLibrary::open({"ACUS_LIBNONE", names, "nobody's devices", "make one"});
+  ASSERT_FALSE(none);
+  expect_one_sentence_with(none.error().sentence, "libacus_none.so:");
+  expect_one_sentence_with(none.error().sentence, "libacus_none.so.3:");
 }
 
 }  // namespace

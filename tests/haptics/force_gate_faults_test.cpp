@@ -3,6 +3,7 @@
 #include <random>
 
 #include "driven_gate.h"
+#include "many_ticks.h"
 
 namespace acus::haptics {
 namespace {
@@ -245,11 +246,6 @@ TEST(ForceGate, follows_the_faster_of_two_faults_and_tells_the_first) {
 // --- whatever comes
 
 TEST(ForceGate, a_million_ticks_of_anything_give_finite_bounded_slow_forces) {
-#ifdef ACUS_SANITIZED
-  constexpr int ticks = 100'000;
-#else
-  constexpr int ticks = 1'000'000;
-#endif
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   std::normal_distribution<double> normal;
@@ -258,7 +254,7 @@ TEST(ForceGate, a_million_ticks_of_anything_give_finite_bounded_slow_forces) {
   Driven d({3.3, 0.88, 0.1});
   GateOutput last;
   long on = 0;
-  for (int i = 0; i < ticks; ++i) {
+  for (long i = 0; i < many_ticks; ++i) {
     GateCommand command{{normal(random), normal(random), normal(random)}, {}, {}, 0.0, 1e-3};
     command.torque = {0.1 * normal(random), 0.0, 0.0};
     command.elapsed = unit(random) < 0.1 ? 5e-3 * unit(random) : 1e-3;
@@ -279,7 +275,7 @@ TEST(ForceGate, a_million_ticks_of_anything_give_finite_bounded_slow_forces) {
     on += norm(now.force) > 0.1;
     last = now;
   }
-  EXPECT_GT(on, ticks / 20);  // it was not just off
+  EXPECT_GT(on, many_ticks / 20);  // it was not just off
 }
 
 }  // namespace

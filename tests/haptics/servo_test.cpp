@@ -8,6 +8,8 @@
 #include <limits>
 #include <random>
 
+#include "many_ticks.h"
+
 namespace acus::haptics {
 namespace {
 
@@ -206,18 +208,13 @@ TEST(Servo, never_tells_the_simulation_a_number_that_is_none) {
 // Every number that comes in is now and then none, infinite or absurd. What goes out is finite and within the
 // limit in every tick, and once all is well and somebody rearms the gate, the needle is felt again.
 TEST(Servo, stands_a_million_ticks_of_broken_numbers_at_every_interface) {
-#ifdef ACUS_SANITIZED
-  constexpr long ticks = 100'000;
-#else
-  constexpr long ticks = 1'000'000;
-#endif
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
                    inf = std::numeric_limits<double>::infinity();
   const double oddities[] = {nan, inf, -inf, 1e300, -1e300};
   Servo servo({touch(), 0.0, 0.0, 1e-3});
   std::mt19937 random(3);
   long felt = 0, faults = 0;
-  for (long i = 0; i < ticks; ++i) {
+  for (long i = 0; i < many_ticks; ++i) {
     const double t = static_cast<double>(i) * 1e-3;
     DeviceState state;
     state.time = t;
@@ -239,8 +236,8 @@ TEST(Servo, stands_a_million_ticks_of_broken_numbers_at_every_interface) {
     felt += out.force.norm() > 0.1;
     if (servo.gate().fault() != GateFault::none) ++faults, servo.rearm();
   }
-  EXPECT_GT(faults, ticks / 4000);
-  EXPECT_GT(felt, ticks / 10);
+  EXPECT_GT(faults, many_ticks / 4000);
+  EXPECT_GT(felt, many_ticks / 10);
 }
 
 // The guide is a spring: it needs no energy of the needle's, and takes none from it.

@@ -89,7 +89,7 @@ Session session_of(unsigned number) {
 
 // m. A word every 10 ms or less often now and then leaves a swing of a few quanta of the encoder, on devices
 // without dry friction; of many sessions such ones are counted.
-constexpr double narrow_swing = 0.1e-3, wide_swing = 0.5e-3;
+constexpr double narrow_swing = 0.1e-3, wide_swing = 0.25e-3;
 double widest_swing(const Session& s) { return s.trial.period < 10e-3 ? narrow_swing : wide_swing; }
 
 void expect_well(const Session& s, const Finding& found) {
@@ -145,7 +145,7 @@ TEST(Sessions, none_diverges_hums_or_gives_energy_away) {
     EXPECT_GT(buckled, count / 5);
     EXPECT_GT(punctured, count / 5);
   }
-  EXPECT_LE(swinging, count / 100);
+  EXPECT_LE(swinging, count / 200);
 }
 
 }  // namespace

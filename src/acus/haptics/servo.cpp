@@ -27,7 +27,7 @@ Servo::Servo(const ServoSettings& settings)
       hand_travel_(settings.start_travel) {}
 
 // A new word of the simulation says something else about the place where the hand is now. The difference
-// fades over as long as that word was awaited, unless the needle has really jumped.
+// fades over a few milliseconds, unless the needle has really jumped.
 LocalForce Servo::blended(LocalForce local, double now) noexcept {
   local.stiffness = std::clamp(local.stiffness, 0.0, coupling_.stiffness);  // the grip's, or less
   if (local.time != known_.time) {

@@ -127,7 +127,48 @@ void add_serve(CLI::App& program, Work& work) {
   verb->add_option("--seconds", options->seconds, "end after so long; until Ctrl-C without it")
       ->type_name("S")
       ->check(CLI::Range(0.1, 1e6));
-  verb->callback([options, &work] { work = [options] { return do_serve(*options); }; });
+  verb->add_option("--record", options->record, "file for a recording, which `acus replay` takes")
+      ->type_name("FILE");
+  verb->callback([options, verb, &work] {
+    options->record_given = verb->count("--record") > 0;
+    work = [options] { return do_serve(*options); };
+  });
+}
+
+void add_emulate(CLI::App& program, Work& work) {
+  CLI::App* verb = program.add_subcommand("emulate", "devices that are not there, for whoever has none");
+  verb->require_subcommand(1);
+  auto options = std::make_shared<EmulateHaplyOptions>();
+  CLI::App* haply = verb->add_subcommand("haply", "the Haply Inverse Service with an Inverse3 and a hand");
+  constexpr int last_port = 65535;
+  haply->add_option("--port", options->port, "where it listens on this machine; 0: any that is free")
+      ->check(CLI::Range(0, last_port))
+      ->capture_default_str();
+  haply->add_option("--service", options->service, "version of the service: 3.1 or 3.5")
+      ->check(CLI::IsMember({"3.1", "3.5"}))
+      ->capture_default_str();
+  constexpr double slowest = 0.1, fastest = 500.0, farthest = 200.0;
+  haply->add_option("--speed", options->speed, "of the hand, mm/s")
+      ->check(CLI::Range(slowest, fastest))
+      ->capture_default_str();
+  haply->add_option("--way", options->way, "how far the hand goes before it comes back, mm")
+      ->check(CLI::Range(0.0, farthest))
+      ->capture_default_str();
+  haply
+      ->add_option(
+          "--fault", options->faults,
+          "KIND@SECONDS:FOR_SECONDS after the first message, as in late@3:0.5; the kinds are late, dropped, "
+          "malformed, uncalibrated, unplugged, silent; may be repeated")
+      ->type_name("FAULT")
+      ->allow_extra_args(false);
+  haply->add_option("--seconds", options->seconds, "end after so long; until Ctrl-C without it")
+      ->type_name("S")
+      ->check(CLI::Range(0.1, 1e6));
+  haply->callback([options, &work] { work = [options] { return do_emulate_haply(*options); }; });
+  verb->add_subcommand("openhaptics", "3D Systems' driver library: says how to use its emulator")
+      ->callback([&work] { work = do_emulate_openhaptics; });
+  verb->add_subcommand("force_dimension", "Force Dimension's driver library: says how to use its emulator")
+      ->callback([&work] { work = do_emulate_force_dimension; });
 }
 
 void add_device(CLI::App& program, Work& work) {
@@ -170,6 +211,7 @@ int main_with_verbs(int argc, char** argv) {
   add_study(program, work);
   add_serve(program, work);
   add_device(program, work);
+  add_emulate(program, work);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,11 +1,10 @@
 // acus run: one insertion, headless.
 #include <memory>
 
-#include "acus/haptics/recorder.h"
 #include "acus/io/insertion.h"
-#include "acus/io/replay.h"
 #include "acus/io/scene_toml.h"
 #include "acus/sim/hand.h"
+#include "recording.h"
 #include "run_output.h"
 #include "verbs.h"
 
@@ -13,13 +12,6 @@ namespace acus::app {
 namespace {
 
 using haptics::Recorder;
-
-Result<std::unique_ptr<Recorder>> start_recorder(const RunOptions& options, const Scene& scene) {
-  if (!options.record_given) return std::unique_ptr<Recorder>();
-  const Result<io::RecordedScene> recorded = io::recorded_scene(scene);
-  if (!recorded) return recorded.error();
-  return Recorder::start(options.record, *recorded, "--record");
-}
 
 // Follows the hand of the scene to its end, and writes each step down.
 io::Insertion insert(Simulation& simulation, RunOutput& output, Recorder* recorder) {
@@ -48,7 +40,7 @@ int do_run(const RunOptions& options) {
   if (!simulation) return refused(options.scene + ": " + simulation.error().sentence, bad_input);
   Result<RunOutput> output = RunOutput::create(options.output);
   if (!output) return refused(output.error().sentence, bad_input);
-  Result<std::unique_ptr<Recorder>> recorder = start_recorder(options, *scene);
+  Result<std::unique_ptr<Recorder>> recorder = start_recorder(options.record_given, options.record, *scene);
   if (!recorder) return refused(recorder.error().sentence, bad_input);
 
   const io::Insertion insertion = insert(*simulation, *output, recorder->get());

@@ -9,6 +9,7 @@
 #include "acus/io/insertion.h"
 #include "acus/io/scene_toml.h"
 #include "interruption.h"
+#include "recording.h"
 #include "verbs.h"
 
 namespace acus::app {
@@ -21,8 +22,12 @@ int do_serve(const ServeOptions& options) {
   haptics::Device& device = *opened->device;
   Result<Simulation> simulation = io::build_simulation(haptics::held_by(device.limits(), *scene));
   if (!simulation) return refused(options.scene + ": " + simulation.error().sentence, bad_input);
+  const Result<std::unique_ptr<haptics::Recorder>> recorder =
+      start_recorder(options.record_given, options.record, simulation->scene());
+  if (!recorder) return refused(recorder.error().sentence, bad_input);
   haptics::LoopSettings settings;
   settings.force_limit = options.force_limit;
+  settings.recorder = recorder->get();
   settings.announce = [](haptics::GateFault fault) {
     if (fault == haptics::GateFault::none)
       std::printf("The force is armed again.\n");
@@ -39,11 +44,14 @@ int do_serve(const ServeOptions& options) {
   catch_interruptions();
   const haptics::StopAfter stop(options.seconds, interruption_flag());
   const haptics::LoopOutcome outcome = haptics::run_loop(device, *simulation, settings, stop.flag());
+  std::optional<Error> not_recorded;
+  if (settings.recorder != nullptr) not_recorded = settings.recorder->finish(simulation->state_hash());
   std::fputs(haptics::in_words(outcome.report).c_str(), stdout);
+  if (not_recorded) refused(not_recorded->sentence, run_failed);
   if (outcome.lost) return refused(outcome.lost->sentence, run_failed);
   if (outcome.report.health != Health::good)
     return refused("the simulation failed: " + std::string(complaint(outcome.report.health)), run_failed);
-  return done;
+  return not_recorded ? run_failed : done;
 }
 
 }  // namespace acus::app

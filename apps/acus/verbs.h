@@ -63,8 +63,21 @@ struct ServeOptions {
   std::string device = "simulated";
   double force_limit = 0.0;  // N; 0: the device's own
   double seconds = 0.0;      // 0: until it is interrupted
+  std::string record;        // file
+  bool record_given = false;
 };
 int do_serve(const ServeOptions& options);
+
+struct EmulateHaplyOptions {
+  int port = 10001;
+  std::string service = "3.5";      // its version
+  double speed = 10.0, way = 60.0;  // mm/s, mm, of the hand
+  std::vector<std::string> faults;
+  double seconds = 0.0;  // 0: until it is interrupted
+};
+int do_emulate_haply(const EmulateHaplyOptions& options);
+int do_emulate_openhaptics();
+int do_emulate_force_dimension();
 
 int do_device_list();
 int do_device_check(const std::string& name);

@@ -7,14 +7,14 @@
 
 #include "acus/haptics/backends.h"
 #include "acus/haptics/shared_library.h"
-#include "fake_dhd.h"
+#include "emulators/fake_dhd.h"
 #include "serving.h"
 
 namespace acus::haptics {
 namespace {
 
-const std::string library = ACUS_BUILD_DIR "/tests/haptics/fake_dhd/libdhd.so";
-const std::string other_library = ACUS_BUILD_DIR "/tests/haptics/fake_hd/libHD.so";
+const std::string library = ACUS_BUILD_DIR "/emulators/libdhd.so";
+const std::string other_library = ACUS_BUILD_DIR "/emulators/libHD.so";
 
 #define EMULATOR(function) emulator_function<decltype(function)>(library, #function)
 

@@ -5,14 +5,14 @@
 #include <cstdlib>
 
 #include "acus/haptics/backends.h"
-#include "fake_hd.h"
+#include "emulators/fake_hd.h"
 #include "serving.h"
 
 namespace acus::haptics {
 namespace {
 
-const std::string library = ACUS_BUILD_DIR "/tests/haptics/fake_hd/libHD.so";
-const std::string other_library = ACUS_BUILD_DIR "/tests/haptics/fake_dhd/libdhd.so";
+const std::string library = ACUS_BUILD_DIR "/emulators/libHD.so";
+const std::string other_library = ACUS_BUILD_DIR "/emulators/libdhd.so";
 constexpr unsigned int comm_error = 0x0302;
 
 #define EMULATOR(function) emulator_function<decltype(function)>(library, #function)

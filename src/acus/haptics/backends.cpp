@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "acus/haptics/force_dimension.h"
+#include "acus/haptics/haply.h"
 #include "acus/haptics/openhaptics.h"
 #include "acus/haptics/simulated_device.h"
 #include "acus/io/spelling.h"
@@ -14,6 +15,7 @@ std::span<const Backend> backends() {
   static const std::vector<Backend> all = {
       {"simulated", "a device and a hand that are not there", "no hardware to test", never_missing,
        open_simulated},
+      {"haply", "Haply Inverse3, through its Inverse Service", emulator_only, haply_missing, open_haply},
       {"openhaptics", "3D Systems Touch and Phantom, through OpenHaptics", emulator_only, openhaptics_missing,
        open_openhaptics},
       {"force_dimension", "Force Dimension omega and its sisters", emulator_only, force_dimension_missing,

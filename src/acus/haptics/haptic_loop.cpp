@@ -24,12 +24,23 @@ struct Exchange {
   NewestValue<LocalForce> needle;  // from the simulation's
 };
 
+io::RecordedTick recorded(const DeviceState& state, const Wrench& wrench) {
+  const auto three = [](const Vec3& v) {
+    return std::array{static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+  };
+  return {state.time,
+          {state.position.x(), state.position.y(), state.position.z()},
+          three(state.velocity),
+          three(wrench.force),
+          state.buttons};
+}
+
 // The device's thread, once a tick.
 class LoopTick final : public Tick {
  public:
-  LoopTick(Exchange& exchange, const ServoSettings& settings, LoopReport& report,
+  LoopTick(Exchange& exchange, const ServoSettings& settings, Recorder* recorder, LoopReport& report,
            const std::atomic<bool>& stop)
-      : exchange_(exchange), servo_(settings), report_(report), stop_(stop) {}
+      : exchange_(exchange), servo_(settings), recorder_(recorder), report_(report), stop_(stop) {}
 
   Wrench operator()(const DeviceState& state) noexcept override {
     const double start = monotonic_time();
@@ -45,6 +56,7 @@ class LoopTick final : public Tick {
     if (stop_.load(std::memory_order_relaxed) && wrench.force.isZero() && wrench.torque.isZero())
       over_.store(true, std::memory_order_relaxed);
     exchange_.hand.write({servo_.hand(), state.time, start, servo_.gate().fault()});
+    if (recorder_ != nullptr) recorder_->tick(recorded(state, state.ready ? wrench : Wrench{}));
     report_.largest_force = std::max(report_.largest_force, wrench.force.norm());
     report_.work.add(monotonic_time() - start);
     return wrench;
@@ -57,6 +69,7 @@ class LoopTick final : public Tick {
  private:
   Exchange& exchange_;
   Servo servo_;
+  Recorder* recorder_;
   LoopReport& report_;
   const std::atomic<bool>& stop_;
   std::atomic<bool> over_{false};
@@ -76,7 +89,11 @@ void simulate(Exchange& exchange, Simulation& simulation, LoopReport& report, co
     if (hand.fault != std::exchange(told, hand.fault) && settings.announce) settings.announce(hand.fault);
     if (hand.our_time >= 0.0 && simulation.frame().health == Health::good) {
       const double start = monotonic_time();
+      const bool due = settings.recorder != nullptr && settings.recorder->hash_due();
       LocalForce word = needle.step(hand.motion, 0.0);
+      if (settings.recorder != nullptr)
+        settings.recorder->step(hand.motion.travel,
+                                due ? std::optional(simulation.state_hash()) : std::nullopt);
       const double end = monotonic_time();
       if (simulation.frame().health == Health::good) {
         word.time = hand.device_time + (end - hand.our_time);
@@ -99,7 +116,8 @@ LoopOutcome run_loop(Device& device, Simulation& simulation, const LoopSettings&
   LoopReport& report = outcome.report;
   report.time_step = simulation.scene().run.time_step;
   Exchange exchange;
-  LoopTick tick(exchange, {device.limits(), settings.force_limit, settings.start_travel, 1e-3}, report, stop);
+  LoopTick tick(exchange, {device.limits(), settings.force_limit, settings.start_travel, 1e-3},
+                settings.recorder, report, stop);
   std::atomic<bool> over{false};
   std::thread simulating([&] { simulate(exchange, simulation, report, settings, over); });
   const RealTime real_time;

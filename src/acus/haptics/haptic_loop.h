@@ -8,6 +8,7 @@
 #include "acus/haptics/device.h"
 #include "acus/haptics/hub_simulation.h"
 #include "acus/haptics/loop_report.h"
+#include "acus/haptics/recorder.h"
 
 namespace acus::haptics {
 
@@ -18,6 +19,7 @@ struct LoopSettings {
   // Told of every fault of the gate, and of GateFault::none when it is armed again; from the simulation's
   // thread.
   std::function<void(GateFault)> announce;
+  Recorder* recorder = nullptr;  // writes down every tick and every step; null: nobody does
 };
 
 struct LoopOutcome {

@@ -55,7 +55,7 @@ std::string in_words(GateFault fault) {
     case GateFault::not_finite:
       return "a number was none";
     case GateFault::stale:
-      return "the simulation fell silent";
+      return "the simulation fell silent, or the device was not ready";
     case GateFault::over_speed:
       return "the handle was faster than 1.2 m/s";
     case GateFault::overheated:

@@ -1,7 +1,8 @@
-// An emulator of OpenHaptics' libHD.so for tests: the interface as its manual describes it, a scheduler with
+// An emulator of OpenHaptics' libHD.so: the interface as its manual describes it, a scheduler with
 // a thread of its own, and a hand made of a mass and a spring. No code of the maker's, and no proof about it.
 #include "fake_hd.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstring>
@@ -9,6 +10,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "fake_hand.h"
 
@@ -37,6 +39,7 @@ struct Fake {
   double next_force[3] = {}, next_torque[3] = {};
   unsigned int raise = 0;
   std::deque<unsigned int> errors;
+  std::vector<FakeHand::Triple> history;  // N, of the frames that ended
   Callback callback = nullptr;
   void* user_data = nullptr;
 };
@@ -120,6 +123,7 @@ unsigned int hdInitDevice(const char* name) {
   std::strncpy(fake.report.name, name ? name : "", sizeof fake.report.name - 1);
   fake.report.open = true;
   ++fake.report.opened;
+  fake.hand.wake_up({0.0, 0.0, -1.0});
   return device_handle;
 }
 
@@ -148,6 +152,9 @@ void hdEndFrame(unsigned int device) {
   ++fake.report.frames;
   std::memcpy(fake.report.force, fake.next_force, sizeof fake.next_force);
   std::memcpy(fake.report.torque, fake.next_torque, sizeof fake.next_torque);
+  constexpr std::size_t longest = 100'000;
+  if (fake.history.size() < longest)
+    fake.history.push_back({fake.next_force[0], fake.next_force[1], fake.next_force[2]});
   FakeHand::Triple felt{};
   if (fake.report.force_enabled) std::memcpy(felt.data(), fake.next_force, sizeof fake.next_force);
   fake.hand.move(felt, 1e-3);
@@ -292,6 +299,14 @@ void fake_hd_report(FakeHdReport* report) {
   for (std::size_t i = 0; i < 3; ++i) report->position[i] = fake.hand.position[i];
   report->scheduled = fake.callback != nullptr;
   report->scheduler_runs = scheduler.joinable();
+}
+
+long fake_hd_history(double (*forces)[3], long most) {
+  const Lock lock(guard);
+  const long count = std::min(most, static_cast<long>(fake.history.size()));
+  for (long i = 0; i < count; ++i)
+    std::memcpy(forces[i], fake.history[static_cast<std::size_t>(i)].data(), sizeof forces[i]);
+  return count;
 }
 
 void fake_hd_pose(const double* position, const double* velocity, const double* transform, int buttons) {

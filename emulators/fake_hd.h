@@ -32,6 +32,8 @@ struct FakeHdReport {
 void fake_hd_reset();  // as after loading; the device is closed
 void fake_hd_setup(const FakeHdSetup* setup);
 void fake_hd_report(FakeHdReport* report);
+// The forces of all frames so far, the first `most` of them; returns how many.
+long fake_hd_history(double (*forces)[3], long most);
 // Holds the device still and lets it say these numbers, in the units of the driver.
 void fake_hd_pose(const double* position, const double* velocity, const double* transform, int buttons);
 void fake_hd_send_hand(double stiffness, double x, double y, double z);  // N/m, m

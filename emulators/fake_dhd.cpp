@@ -1,4 +1,4 @@
-// An emulator of Force Dimension's libdhd.so for tests: the interface as its manual describes it, and a hand
+// An emulator of Force Dimension's libdhd.so: the interface as its manual describes it, and a hand
 // made of a mass and a spring that moves on by a millisecond with every force. No code of the maker's, and no
 // proof about it.
 #include "fake_dhd.h"
@@ -43,6 +43,7 @@ extern "C" {
 int dhdOpenID(char index) {
   const Lock lock(guard);
   if (fake.failure == fake_dhd_open_fails) return -1;
+  fake.hand.wake_up({-1.0, 0.0, 0.0});
   fake.report.index = index;
   fake.report.open = true;
   return device_id;

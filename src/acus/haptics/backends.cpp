@@ -5,6 +5,7 @@
 #include "acus/haptics/force_dimension.h"
 #include "acus/haptics/haply.h"
 #include "acus/haptics/openhaptics.h"
+#include "acus/haptics/recorded_device.h"
 #include "acus/haptics/simulated_device.h"
 #include "acus/io/spelling.h"
 
@@ -15,6 +16,8 @@ std::span<const Backend> backends() {
   static const std::vector<Backend> all = {
       {"simulated", "a device and a hand that are not there", "no hardware to test", never_missing,
        open_simulated},
+      {"recorded", "the hand of a recording, as in recorded:hand.acusrec; the force goes nowhere",
+       "no hardware to test", never_missing, open_recorded},
       {"haply", "Haply Inverse3, through its Inverse Service", emulator_only, haply_missing, open_haply},
       {"openhaptics", "3D Systems Touch and Phantom, through OpenHaptics", emulator_only, openhaptics_missing,
        open_openhaptics},

@@ -121,26 +121,6 @@ TEST(Program, a_full_disk_is_told) {
   std::filesystem::remove_all(folder);
 }
 
-TEST(Program, lists_devices_with_what_is_missing_and_what_they_were_tested_with) {
-  const std::string folder = fresh_folder("devices");
-  const ProgramRun run = run_program({"device", "list"}, folder);
-  EXPECT_EQ(run.exit_code, 0);
-  for (const char* said : {"simulated", "openhaptics", "ACUS_LIBHD", "force_dimension", "ACUS_LIBDHD",
-                           "tested against an emulator only", "not a medical device"})
-    EXPECT_NE(run.out.find(said), std::string::npos) << said;
-  std::filesystem::remove_all(folder);
-}
-
-TEST(Program, serves_a_scene_under_a_simulated_hand_and_says_how_it_went) {
-  const std::string folder = fresh_folder("serve");
-  const ProgramRun run = run_program(
-      {"serve", ACUS_SOURCE_DIR "/scenes/bare_column.toml", "--seconds", "1", "--force-limit", "2"}, folder);
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-  for (const char* said : {"not a medical device", "Ticks", "Load", "Gate"})
-    EXPECT_NE(run.out.find(said), std::string::npos) << said << run.out;
-  std::filesystem::remove_all(folder);
-}
-
 TEST(Program, a_full_standard_output_is_told_by_every_verb) {
   const std::string folder = fresh_folder("full_output");
   for (const std::string& words :

@@ -235,6 +235,15 @@ TEST(WrongInput, every_wrong_command_is_refused_with_advice) {
       {{"serve", "absent.toml"}, {"no such file"}},
       {{"serve", "ok.toml", "--device", "force_dimension"}, {"libdhd.so", "ACUS_LIBDHD"}},
       {{"serve", "ok.toml", "--force-limit", "-1"}, {"--force-limit"}},
+      {{"serve", "ok.toml", "--device", "haply:x"}, {"'x' is no port"}},
+      {{"serve", "ok.toml", "--device", "haply:1"}, {"port 1 cannot be reached", "start it"}},
+      {{"serve", "ok.toml", "--device", "recorded"}, {"recorded:hand.acusrec"}},
+      {{"serve", "ok.toml", "--device", "recorded:absent"}, {"absent", "no such file"}},
+      {{"serve", "ok.toml", "--record", "ok.toml"}, {"is no recording", "--record"}},
+      {{"emulate"}, {"--help"}},
+      {{"emulate", "haply", "--service", "2.0"}, {"--service", "3.5"}},
+      {{"emulate", "haply", "--port", "70000"}, {"--port", "65535"}},
+      {{"emulate", "haply", "--fault", "tired@1"}, {"'tired@1' is no fault", "unplugged"}},
   };
   for (const WrongWords& wrong : all) {
     std::string name = "acus";

@@ -155,7 +155,7 @@ class Player {
       if (line.starts_with("< ")) expected_.push_back(line.substr(2));
     }
     net::WebService service;
-    service.get = [](const std::string&) { return std::string(); };
+    service.answer = [](const net::WebRequest&) { return net::WebAnswer(); };
     service.serve = [this](net::WebSocket& client, const auto& stopping) {
       std::string message;
       client.send(says_[0], 1.0);

@@ -1,14 +1,13 @@
 // Both ends over real sockets, and the server against the bytes of RFC 6455.
 #include "acus/net/web_socket.h"
 
-#include <arpa/inet.h>
 #include <gtest/gtest.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
 #include <thread>
+
+#include "raw_socket.h"
 
 namespace acus::net {
 namespace {
@@ -19,8 +18,8 @@ constexpr double long_enough = 20.0;  // s, on a machine that does much else
 // Sends back what it gets; "leave" makes it go.
 WebService echo() {
   WebService service;
-  service.get = [](const std::string& target) {
-    return target == "/there" ? R"({"is":true})" : std::string();
+  service.answer = [](const WebRequest& request) {
+    return request.target == "/there" ? WebAnswer{200, "application/json", R"({"is":true})"} : WebAnswer{};
   };
   service.serve = [](WebSocket& client, const std::function<bool()>& stopping) {
     std::string message;
@@ -32,32 +31,6 @@ WebService echo() {
   };
   return service;
 }
-
-// A connection without any library.
-class RawSocket {
- public:
-  explicit RawSocket(unsigned short port) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_port = htons(port);
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    EXPECT_EQ(::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
-  }
-  ~RawSocket() { ::close(socket_); }
-  void write(const std::string& bytes) const {
-    EXPECT_EQ(::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL), static_cast<ssize_t>(bytes.size()));
-  }
-  // Until `end` has come, or the other side is done.
-  std::string read_to(const std::string& end) const {
-    std::string all;
-    char byte = 0;
-    while (all.find(end) == std::string::npos && ::recv(socket_, &byte, 1, 0) == 1) all += byte;
-    return all;
-  }
-
- private:
-  int socket_;
-};
 
 std::unique_ptr<WebServer> start(WebService service) {
   Result<std::unique_ptr<WebServer>> server = WebServer::start(0, std::move(service));
@@ -180,6 +153,44 @@ TEST(WebServer, answers_a_get) {
   EXPECT_NE(found.find("\r\n\r\n{\"is\":true}"), std::string::npos) << found;
   not_there.write("GET /elsewhere HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n");
   EXPECT_NE(not_there.read_to("\r\n\r\n").find("404"), std::string::npos);
+}
+
+// Limits, each just kept and just not.
+TEST(WebServer, takes_heads_of_sixteen_kilobytes_and_no_more) {
+  const auto server = start(echo());
+  for (const auto& [size, status] : {std::pair{15'000, "HTTP/1.1 200"}, std::pair{17'000, "HTTP/1.1 400"}}) {
+    const RawSocket raw(server->port());
+    raw.write("GET /there HTTP/1.1\r\nHost: 127.0.0.1\r\nX: " +
+              std::string(static_cast<std::size_t>(size), 'x') + "\r\n\r\n");
+    EXPECT_EQ(raw.read_to("\r\n").substr(0, 12), status);
+  }
+}
+
+TEST(WebServer, serves_sixteen_and_turns_the_next_away) {
+  const auto server = start(echo());
+  std::vector<std::unique_ptr<WebSocket>> clients;
+  for (int i = 0; i < 16; ++i) clients.push_back(connect_to(*server));
+  EXPECT_FALSE(WebSocket::connect("127.0.0.1", server->port(), long_enough));
+  clients.pop_back();
+  bool again = false;  // as soon as it has seen that one has gone
+  for (int i = 0; i < 2000 && !again; ++i) {
+    again = static_cast<bool>(WebSocket::connect("127.0.0.1", server->port(), long_enough));
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  EXPECT_TRUE(again);
+}
+
+TEST(WebServer, answers_nonsense_and_goes_on) {
+  const auto server = start(echo());
+  for (const std::string& nonsense :
+       {std::string("\x16\x03\x01\x02\n\r\n\r\n"), std::string("GET\r\n\r\n"),
+        std::string("\r\n\r\n\r\n\r\n"),
+        std::string("POST /there HTTP/1.1\r\nHost: a\r\nContent-Length: 5\r\n\r\nhello")}) {
+    const RawSocket raw(server->port());
+    raw.write(nonsense);
+    EXPECT_EQ(raw.read_to("\r\n").substr(0, 10), "HTTP/1.1 4") << nonsense;
+  }
+  EXPECT_TRUE(connect_to(*server)->send("still there", long_enough));
 }
 
 }  // namespace

@@ -116,7 +116,7 @@ class HaplyEmulator::Service {
 
   std::optional<Error> start() {
     net::WebService service;
-    service.get = [this](const std::string& target) { return get(target); };
+    service.answer = [this](const net::WebRequest& request) { return answer(request.target); };
     service.serve = [this](net::WebSocket& client, const auto& stopping) { serve(client, stopping); };
     Result<std::unique_ptr<net::WebServer>> server =
         net::WebServer::start(settings_.port, std::move(service));
@@ -138,7 +138,12 @@ class HaplyEmulator::Service {
   }
 
  private:
-  std::string get(const std::string& target) const {
+  net::WebAnswer answer(const std::string& target) const {
+    const std::string body = json_at(target);
+    return {body.empty() ? 404U : 200U, "application/json", body};
+  }
+
+  std::string json_at(const std::string& target) const {
     if (target == "/version" || target == "/3.1/version")
       return ordered_json{{"version", settings_.dialect == Dialect::vector ? "3.5.0" : "3.1.1"},
                           {"emulator", "acus"}}

@@ -25,6 +25,14 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t longest_message = 1U << 20U;  // bytes
 constexpr double handshake_patience = 5.0;          // s
 constexpr double between_looks = 0.02;              // s, at whether a server shall stop
+constexpr std::uint32_t longest_head = 16U << 10U;  // bytes
+constexpr std::size_t most_clients = 16;
+// What a page of ours may load: itself, and WebAssembly. No other page may put it into a frame or read it.
+constexpr const char* page_policy =
+    "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; img-src "
+    "'self' data: "
+    "blob:; worker-src 'self' blob:; connect-src 'self'; frame-ancestors 'none'; base-uri 'none'; "
+    "form-action 'none'";
 
 Clock::time_point in(double seconds) {
   return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
@@ -180,7 +188,7 @@ struct WebServer::Listener {
         context.run_one_until(in(between_looks));
         if (stopping) acceptor.close();
       }
-      if (!*come) receive(std::move(connection));
+      if (!*come && visits.size() < most_clients) receive(std::move(connection));
       visits.remove_if([](Visit& visit) {
         if (visit.over) visit.thread.join();
         return visit.over.load();
@@ -200,33 +208,41 @@ struct WebServer::Listener {
   void visit_by(std::unique_ptr<WebSocket::Connection> connection) {
     WebSocket::Connection& c = *connection;
     c.take_small_messages_at_once();
-    beast::flat_buffer buffer(longest_message);
-    http::request<http::string_body> request;
+    beast::flat_buffer buffer;
+    http::request_parser<http::empty_body> parser;
+    parser.header_limit(longest_head);
     beast::tcp_stream& stream = c.stream.next_layer();
-    if (c.finish(in(handshake_patience),
-                 [&](auto handler) { http::async_read(stream, buffer, request, handler); }))
-      return;
-    if (websocket::is_upgrade(request)) {
-      if (c.finish(in(handshake_patience), [&](auto handler) { c.stream.async_accept(request, handler); }))
-        return;
-      WebSocket client(std::move(connection));
-      service.serve(client, [this] { return stopping.load(); });
-    } else {
-      answer(c, request);
-    }
+    const beast::error_code failed = c.finish(
+        in(handshake_patience), [&](auto handler) { http::async_read(stream, buffer, parser, handler); });
+    if (failed == beast::error::timeout) return;  // its socket is closed
+    if (failed) return say(c, {400, {}, "this is no request that is understood here\n"});
+    const http::request<http::empty_body>& head = parser.get();
+    const WebRequest request{std::string(head.method_string()), std::string(head.target()),
+                             std::string(head[http::field::host]), std::string(head[http::field::origin])};
+    if (!websocket::is_upgrade(head)) return say(c, service.answer(request));
+    if (service.admits && !service.admits(request))
+      return say(c, {403, {}, "open the address that acus has printed\n"});
+    if (c.finish(in(handshake_patience), [&](auto handler) { c.stream.async_accept(head, handler); })) return;
+    WebSocket client(std::move(connection));
+    service.serve(client, [this] { return stopping.load(); });
   }
 
-  void answer(WebSocket::Connection& c, const http::request<http::string_body>& request) {
-    const std::string body =
-        request.method() == http::verb::get ? service.get(std::string(request.target())) : std::string();
-    http::response<http::string_body> response(body.empty() ? http::status::not_found : http::status::ok,
-                                               request.version(), body);
-    response.set(http::field::content_type, "application/json");
+  static void say(WebSocket::Connection& c, const WebAnswer& answer) {
+    constexpr unsigned http_1_1 = 11;
+    http::response<http::string_body> response(static_cast<http::status>(answer.status), http_1_1,
+                                               answer.body);
+    response.set(http::field::content_type, answer.type.empty() ? WebAnswer().type : answer.type);
+    response.set(http::field::cache_control, "no-cache");
+    response.set("Content-Security-Policy", page_policy);
+    response.set("Cross-Origin-Resource-Policy", "same-origin");
+    response.set("Referrer-Policy", "no-referrer");
+    response.set("X-Content-Type-Options", "nosniff");
+    response.keep_alive(false);
     response.prepare_payload();
     beast::tcp_stream& stream = c.stream.next_layer();
     c.finish(in(handshake_patience), [&](auto handler) { http::async_write(stream, response, handler); });
     beast::error_code ignored;
-    stream.socket().shutdown(asio::ip::tcp::socket::shutdown_both, ignored);
+    stream.socket().shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
   }
 };
 

@@ -36,15 +36,28 @@ class WebSocket {
   std::unique_ptr<Connection> connection_;
 };
 
+struct WebRequest {
+  std::string method, target;  // "GET", "/index.html?token=1"
+  std::string host, origin;    // as the client says; empty where it does not
+};
+
+struct WebAnswer {
+  unsigned status = 404;
+  std::string type = "text/plain; charset=utf-8", body;
+};
+
 // What a WebServer does with those who come; called on a thread for each of them, so several may run at once.
 struct WebService {
-  // The answer to GET `target`, JSON; empty: there is nothing there.
-  std::function<std::string(const std::string& target)> get;
+  // To whatever asks for no WebSocket.
+  std::function<WebAnswer(const WebRequest& request)> answer;
+  // Whether a WebSocket may be opened; without it, to anybody.
+  std::function<bool(const WebRequest& request)> admits;
   // A client for as long as it lasts; returns when it is closed, or soon after `stopping()` has become true.
   std::function<void(WebSocket& client, const std::function<bool()>& stopping)> serve;
 };
 
-// Listens on this machine alone (127.0.0.1).
+// Listens on this machine alone (127.0.0.1). At most 16 clients at a time: a further one is turned away. A
+// request may have heads of 16 KB, no body, and 5 s; a message of a client may have 1 MB.
 class WebServer {
  public:
   // At port 0 any that is free. Error: the port is taken.

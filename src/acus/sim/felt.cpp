@@ -1,0 +1,44 @@
+#include "acus/sim/felt.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace acus {
+namespace {
+
+// Chosen: one swing of the tremor, which is not taken for news.
+constexpr double sense_time = 0.1;  // s
+// Chosen: the stretch of travel by which a hand knows how stiff a thing is. A stiffness that changes by 250 N/m
+// (this tissue met or a needle that gives way) then surprises by up to 250 N/m * 1 mm / e = 0.09 N.
+constexpr double memory = 1e-3;  // m
+// A force is told from another that differs by 7 % (Pang, Tan and Durlach, Perception & Psychophysics 49:531,
+// 1991). Chosen below 0.7 N, where Weber's law ends: what a hand can just feel while it shakes.
+constexpr double noticed_share = 0.07;
+constexpr double least_noticed = 0.05;  // N
+
+}  // namespace
+
+Felt felt_after(Felt felt, double travel, double force, double time_step) {
+  const double share = time_step / (sense_time + time_step);
+  const double way = share * (travel - felt.travel);
+  felt.travel += way;
+  felt.force += share * (force - felt.force);
+  // A critically damped observer over the way, not over time: who stands still learns nothing.
+  felt.expected += felt.slope * way;
+  const double missed = felt.force - felt.expected, learned = std::min(std::abs(way) / memory, 0.5);
+  felt.expected += 2.0 * learned * missed;
+  felt.slope += std::copysign(learned, way) * missed / memory;
+  return felt;
+}
+
+bool surprising(const Felt& felt) {
+  const double noticed = std::max(least_noticed, noticed_share * std::abs(felt.expected));
+  return std::abs(felt.force - felt.expected) > noticed;
+}
+
+Felt accepted(Felt felt) {
+  felt.expected = felt.force;
+  return felt;
+}
+
+}  // namespace acus

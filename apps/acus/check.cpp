@@ -107,7 +107,8 @@ void print_hand(const HandScene& hand) {
     return;
   }
   std::printf(
-      "Hand     a person who pushes %g mm far at %g mm/s without load, half as fast at %.3g N, and comes to a "
+      "Hand     a person who pushes %g mm far at %g mm/s without load, half as fast at %.3g N, and comes to "
+      "a "
       "stand at %g N\n",
       hand.travel / units::mm, hand.speed / units::mm, hill_half_speed_load(hand.force_limit),
       hand.force_limit);

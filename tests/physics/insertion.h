@@ -51,7 +51,8 @@ inline Insertion insert(const Scene& scene, const std::function<bool(const Frame
     const Frame& frame = simulation->step(*travel);
     run.frames.push_back(frame);
     if (frame.health != Health::good) {
-      ADD_FAILURE() << "the step to " << frame.time << " s failed with health " << static_cast<int>(frame.health);
+      ADD_FAILURE() << "the step to " << frame.time << " s failed with health "
+                    << static_cast<int>(frame.health);
       break;
     }
     if (stop && stop(frame)) break;

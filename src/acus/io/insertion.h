@@ -33,7 +33,8 @@ struct Insertion {
   bool interrupted = false;  // by the observer
 };
 
-// Where the hand is [m] at the end of the next step, told what was seen of the last one; nothing after the last.
+// Where the hand is [m] at the end of the next step, told what was seen of the last one; nothing after the
+// last.
 using NextTravel = std::function<std::optional<double>(const Frame& last)>;
 
 // One travel after another; they must outlive it.

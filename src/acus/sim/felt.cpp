@@ -6,11 +6,12 @@
 namespace acus {
 namespace {
 
-// Chosen: one swing of the tremor, which is not taken for news.
-constexpr double sense_time = 0.1;  // s
-// Chosen: the stretch of travel by which a hand knows how stiff a thing is. A stiffness that changes by 250 N/m
-// (this tissue met or a needle that gives way) then surprises by up to 250 N/m * 1 mm / e = 0.09 N.
-constexpr double memory = 1e-3;  // m
+// Chosen: half a swing of the tremor, so that it is not taken for news and a snap of a tenth of a second is.
+constexpr double sense_time = 0.05;  // s
+// Chosen: the stretch of travel by which a hand knows how stiff a thing is. A stiffness that changes by 100
+// N/m (tissue that is met, a needle that gives way) then surprises by up to 100 N/m * 2.5 mm / e = 0.09 N. A
+// hand that was surprised attends to what there is now, and knows it five times sooner.
+constexpr double memory = 2.5e-3, attentive_memory = 0.5e-3;  // m
 // A force is told from another that differs by 7 % (Pang, Tan and Durlach, Perception & Psychophysics 49:531,
 // 1991). Chosen below 0.7 N, where Weber's law ends: what a hand can just feel while it shakes.
 constexpr double noticed_share = 0.07;
@@ -18,16 +19,17 @@ constexpr double least_noticed = 0.05;  // N
 
 }  // namespace
 
-Felt felt_after(Felt felt, double travel, double force, double time_step) {
+Felt felt_after(Felt felt, double travel, double force, double time_step, bool attentive) {
+  const double stretch = attentive ? attentive_memory : memory;
   const double share = time_step / (sense_time + time_step);
   const double way = share * (travel - felt.travel);
   felt.travel += way;
   felt.force += share * (force - felt.force);
   // A critically damped observer over the way, not over time: who stands still learns nothing.
   felt.expected += felt.slope * way;
-  const double missed = felt.force - felt.expected, learned = std::min(std::abs(way) / memory, 0.5);
+  const double missed = felt.force - felt.expected, learned = std::min(std::abs(way) / stretch, 0.5);
   felt.expected += 2.0 * learned * missed;
-  felt.slope += std::copysign(learned, way) * missed / memory;
+  felt.slope += std::copysign(learned, way) * missed / stretch;
   return felt;
 }
 

@@ -1,5 +1,5 @@
-// The hand of a scene: where it is along the axis of insertion, step by step. One that was planned goes its way
-// whatever happens; a person feels the needle.
+// The hand of a scene: where it is along the axis of insertion, step by step. One that was planned goes its
+// way whatever happens; a person feels the needle.
 #pragma once
 
 #include <optional>
@@ -13,8 +13,8 @@ class Hand {
  public:
   Hand(const HandScene& scene, double time_step) : scene_(scene), time_step_(time_step) {}
 
-  // Travel from first touch at the end of the next step, after `force` [N] was felt on the hand in the last one
-  // (Frame::hand_force); nothing once the hand has done all it was asked to. Allocates nothing. m
+  // Travel from first touch at the end of the next step, after `force` [N] was felt on the hand in the last
+  // one (Frame::hand_force); nothing once the hand has done all it was asked to. Allocates nothing. m
   std::optional<double> next(double force);
 
  private:

@@ -22,13 +22,15 @@ double speed(const Person& person, const HandScene& hand, double force, double t
   return person.doing == Doing::pulling ? -out : in;
 }
 
-// Feels, and when surprised resolves to pause. While it reacts or pauses, nothing more is news to it. Pulling
-// back it waits for nothing.
+// Feels, and when surprised resolves to pause. Until it goes on nothing more is news to it; pulling back it
+// waits for nothing.
 void feel(Person& person, const HandScene& hand, double force, double before, double time_step) {
-  person.felt = felt_after(person.felt, person.travel, force, time_step);
-  if (before < person.still_until || person.doing != Doing::pushing) {
-    if (before >= person.still_from) person.felt = accepted(person.felt);
-  } else if (hand.hesitation > 0.0 && surprising(person.felt)) {
+  const bool resolved = before < person.still_until;
+  person.felt = felt_after(person.felt, person.travel, force, time_step, resolved);
+  if (resolved && before >= person.still_from) {
+    person.felt = accepted(person.felt);
+  } else if (!resolved && person.doing == Doing::pushing && hand.hesitation > 0.0 &&
+             surprising(person.felt)) {
     person.still_from = before + hand.reaction;
     person.still_until = person.still_from + hand.hesitation;
   }

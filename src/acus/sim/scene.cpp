@@ -140,8 +140,8 @@ double stiffest_contact(const Scene& scene) {
   return 1.0 / give;
 }
 
-// A person's speed follows the force of the step before. As long as a step lets the force rise by no more than
-// what takes the speed away, the force comes to the limit from below and never passes it.
+// A person's speed follows the force of the step before. As long as a step lets the force rise by no more
+// than what takes the speed away, the force comes to the limit from below and never passes it.
 Complaint person_complaint(const Scene& scene) {
   const HandScene& hand = scene.hand;
   if (hand.kind != HandKind::person) return {};
@@ -150,8 +150,9 @@ Complaint person_complaint(const Scene& scene) {
   if (scene.run.time_step <= longest) return {};
   const double softest = std::floor(stiffness * longest / scene.run.time_step);
   const double longest_us = std::floor(times_power_of_ten(longest, 6));
-  return "run.time_step_ms is too long for a person who comes to a stand at " + decimal_text(hand.force_limit) +
-         " N: the force would jump past it; take at most " + decimal_text(times_power_of_ten(longest_us, -3)) +
+  return "run.time_step_ms is too long for a person who comes to a stand at " +
+         decimal_text(hand.force_limit) + " N: the force would jump past it; take at most " +
+         decimal_text(times_power_of_ten(longest_us, -3)) +
          " ms, or a softer grip, hand.stiffness_N_m = " + decimal_text(softest) + " or less";
 }
 

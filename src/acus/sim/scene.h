@@ -62,11 +62,12 @@ struct HandScene {
 
   // kind = person (person.h)
   double force_limit = 3.0;  // N, at which the hand stands; chosen: three times the rupture force
-  // s, from what is felt to what is done. To a touch alone it is 0.155 s (Robinson 1934, in Kosinski's review of
-  // reaction times); chosen a little longer for someone who is busy pushing.
+  // s, from what is felt to what is done. To a touch alone it is 0.155 s (Robinson 1934, in Kosinski's review
+  // of reaction times); chosen a little longer for someone who is busy pushing.
   double reaction = 0.2;
   double hesitation = 0.4;  // s, chosen
-  // m rms. Eye surgeons who hold an instrument still: 49 um (Riviere, Rader and Khosla, Proc. IEEE EMBS 1997).
+  // m rms. Eye surgeons who hold an instrument still: 49 um (Riviere, Rader and Khosla, Proc. IEEE EMBS
+  // 1997).
   double tremor = 50e-6;
   int seed = 1;            // of the tremor
   double duration = 30.0;  // s, chosen: after which nobody would push any longer

@@ -114,7 +114,8 @@ std::vector<SceneKey> person_keys() {
       {"hand.reaction_s", NumberField{ACUS_AT(hand.reaction), one, {0.0, 5.0}},
        "from what a person feels until the hand does something about it"},
       {"hand.hesitation_s", NumberField{ACUS_AT(hand.hesitation), one, {0.0, 60.0}},
-       "how long a person stands still after feeling contact, buckling or puncture; 0 for one who never does"},
+       "how long a person stands still after feeling contact, buckling or puncture; 0 for one who never "
+       "does"},
       {"hand.tremor_mm", NumberField{ACUS_AT(hand.tremor), milli, {0.0, 5.0}},
        "root mean square of a person's tremor, 8 to 12 Hz"},
       {"hand.seed", IntegerField{ACUS_AT(hand.seed), {0.0, 1e9}}, "which tremor it is"},
@@ -144,8 +145,8 @@ std::vector<SceneKey> run_keys() {
 const std::vector<SceneKey>& scene_keys() {
   static const std::vector<SceneKey> keys = [] {
     std::vector<SceneKey> all;
-    for (const auto& part : {needle_keys(), tissue_keys(), contact_keys(), hand_keys(), person_keys(),
-                             run_keys()})
+    for (const auto& part :
+         {needle_keys(), tissue_keys(), contact_keys(), hand_keys(), person_keys(), run_keys()})
       all.insert(all.end(), part.begin(), part.end());
     return all;
   }();

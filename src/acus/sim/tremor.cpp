@@ -10,8 +10,8 @@
 namespace acus {
 namespace {
 
-// The band in which the hands of healthy people shake (surgeons' while they hold an instrument: Riviere, Rader
-// and Khosla, Proc. IEEE EMBS 1997), cut into five, one sine in the middle of each.
+// The band in which the hands of healthy people shake (surgeons' while they hold an instrument: Riviere,
+// Rader and Khosla, Proc. IEEE EMBS 1997), cut into five, one sine in the middle of each.
 constexpr std::array frequencies{8.4, 9.2, 10.0, 10.8, 11.6};  // Hz
 constexpr double grown_after = 0.5;                            // s, chosen: several swings
 constexpr double turn = 2.0 * std::numbers::pi;

@@ -24,5 +24,20 @@ TEST(Hand, path_hand_pauses_withdraws_and_meets_every_point) {
   EXPECT_DOUBLE_EQ(planned_travel(hand, 9.0), 0.0);
 }
 
+// One way for every hand: step by step, whatever is felt, the very numbers of the plan.
+TEST(Hand, that_was_planned_feels_nothing_and_ends_with_its_plan) {
+  const HandScene steady{.kind = HandKind::steady, .speed = 0.03, .travel = 0.0101, .path = {}};
+  const HandScene path{.kind = HandKind::path, .path = {{0.0, -0.01}, {0.2, 0.03}, {0.5, 0.0}}};
+  for (const HandScene& scene : {steady, path})
+    for (double step : {1e-3, 0.7e-3}) {
+      Hand hand(scene, step);
+      int steps = 0;
+      while (const auto travel = hand.next(100.0)) EXPECT_EQ(*travel, planned_travel(scene, ++steps * step));
+      EXPECT_EQ(steps, step_count(scene, step));
+      EXPECT_GE(steps * step, duration(scene) - 1e-9);
+      EXPECT_FALSE(hand.next(0.0));
+    }
+}
+
 }  // namespace
 }  // namespace acus

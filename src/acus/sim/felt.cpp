@@ -30,6 +30,7 @@ Felt felt_after(Felt felt, double travel, double force, double time_step, bool a
   const double missed = felt.force - felt.expected, learned = std::min(std::abs(way) / stretch, 0.5);
   felt.expected += 2.0 * learned * missed;
   felt.slope += std::copysign(learned, way) * missed / stretch;
+  felt.slope = std::max(felt.slope, 0.0);  // nothing is expected to pull a hand on that presses it
   return felt;
 }
 

@@ -22,14 +22,16 @@ double speed(const Person& person, const HandScene& hand, double force, double t
   return person.doing == Doing::pulling ? -out : in;
 }
 
-// Feels, and when surprised resolves to pause. Until it goes on nothing more is news to it; pulling back it
-// waits for nothing.
+// Feels, and when surprised resolves to pause. Until it has come to know what there is now, a little way
+// after the pause, nothing more is news to it; pulling back it waits for nothing.
 void feel(Person& person, const HandScene& hand, double force, double before, double time_step) {
-  const bool resolved = before < person.still_until;
-  person.felt = felt_after(person.felt, person.travel, force, time_step, resolved);
-  if (resolved && before >= person.still_from) {
+  constexpr double settling = 1.5e-3;  // m, chosen: three attentive memories of felt.cpp
+  const bool attentive = before < person.still_until || person.aim < person.settled;
+  person.felt = felt_after(person.felt, person.travel, force, time_step, attentive);
+  if (before >= person.still_from && before < person.still_until) {
     person.felt = accepted(person.felt);
-  } else if (!resolved && person.doing == Doing::pushing && hand.hesitation > 0.0 &&
+    person.settled = person.aim + settling;
+  } else if (!attentive && person.doing == Doing::pushing && hand.hesitation > 0.0 &&
              surprising(person.felt)) {
     person.still_from = before + hand.reaction;
     person.still_until = person.still_from + hand.hesitation;

@@ -20,6 +20,7 @@ struct Person {
   Felt felt;
   double still_from = -1.0;   // s, of the last pause, which may be still to come
   double still_until = -1.0;  // s
+  double settled = 0.0;       // m, of the aim, from where on it is no longer attentive
   double turned = 0.0;        // s, when it began to pull back
   Doing doing = Doing::pushing;
 };

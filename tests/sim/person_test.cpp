@@ -189,6 +189,27 @@ TEST(Person, needle_that_gives_way_is_felt_too) {
   EXPECT_NEAR(found[1].length, 0.5, 1.5 * ms);
 }
 
+// Tissue that springs against the needle again behind the skin, and gives in while the hand stands: all that
+// is one contact and one puncture.
+TEST(Person, is_not_startled_by_what_it_does_itself) {
+  HandScene hand = pusher();
+  hand.hesitation = 0.4;
+  hand.travel = 32e-3;
+  for (double stiffness : {100.0, 200.0, 300.0}) {
+    double sunk = 0.0, start = 6e-3;  // m
+    bool broken = false;
+    const Trial trial = tried(hand, [&](double travel) {
+      double force = stiffness * std::max(travel - start - sunk, 0.0);
+      if (!broken && force >= 1.6) broken = true, start = travel - sunk - 0.4 / stiffness, force = 0.4;
+      constexpr double relaxation = 1.0;                                    // s
+      sunk += ms / relaxation * std::min(0.2 * force / stiffness, 0.5e-3);  // a little, and slowly
+      return force;
+    });
+    const std::vector<Pause> found = pauses(trial, hand);
+    EXPECT_EQ(found.size(), 2U) << stiffness << " N/m";
+  }
+}
+
 // Through a skin into nothing: the unloaded hand goes on at its full speed until it has reacted.
 TEST(Person, overshoots_by_the_way_it_goes_until_it_can_react) {
   for (double reaction : {0.15, 0.2, 0.3}) {

@@ -39,9 +39,4 @@ bool surprising(const Felt& felt) {
   return std::abs(felt.force - felt.expected) > noticed;
 }
 
-Felt accepted(Felt felt) {
-  felt.expected = felt.force;
-  return felt;
-}
-
 }  // namespace acus

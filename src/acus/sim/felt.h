@@ -20,7 +20,4 @@ Felt felt_after(Felt felt, double travel, double force, double time_step, bool a
 // Whether the force is another one than was expected, by more than a person can just notice.
 bool surprising(const Felt& felt);
 
-// From now on what is felt is what was expected.
-Felt accepted(Felt felt);
-
 }  // namespace acus

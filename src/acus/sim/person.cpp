@@ -29,7 +29,6 @@ void feel(Person& person, const HandScene& hand, double force, double before, do
   const bool attentive = before < person.still_until || person.aim < person.settled;
   person.felt = felt_after(person.felt, person.travel, force, time_step, attentive);
   if (before >= person.still_from && before < person.still_until) {
-    person.felt = accepted(person.felt);
     person.settled = person.aim + settling;
   } else if (!attentive && person.doing == Doing::pushing && hand.hesitation > 0.0 &&
              surprising(person.felt)) {

@@ -8,6 +8,7 @@
 #include "acus/mesh/quality.h"
 #include "acus/needle/buckling.h"
 #include "acus/sim/hand.h"
+#include "acus/sim/hill.h"
 #include "acus/sim/names.h"
 #include "acus/sim/prediction.h"
 #include "verbs.h"
@@ -83,6 +84,9 @@ void print_expectation(const Scene& scene, const Prediction& p) {
         "rupture "
         "force %g N\n",
         p.critical_load, p.highest_load, rupture_force);
+  else if (scene.hand.kind == HandKind::person && p.highest_load == scene.hand.force_limit)
+    std::printf("never_punctured: the person pushes with at most %g N, less than the rupture force %g N\n",
+                p.highest_load, rupture_force);
   else if (p.highest_load < p.critical_load)
     std::printf(
         "never_punctured: within the hand's travel the needle presses with at most about %.4f N, less than "
@@ -97,6 +101,27 @@ void print_expectation(const Scene& scene, const Prediction& p) {
         p.critical_load, p.highest_load, rupture_force);
 }
 
+void print_hand(const HandScene& hand) {
+  if (hand.kind != HandKind::person) {
+    std::printf("Hand     goes %g mm in %g s\n", furthest_travel(hand) / units::mm, duration(hand));
+    return;
+  }
+  std::printf(
+      "Hand     a person who pushes %g mm far at %g mm/s without load, half as fast at %.3g N, and comes to "
+      "a "
+      "stand at %g N\n",
+      hand.travel / units::mm, hand.speed / units::mm, hill_half_speed_load(hand.force_limit),
+      hand.force_limit);
+  if (hand.hesitation > 0.0)
+    std::printf("         feels a change, reacts after %g s, and stands still for %g s\n", hand.reaction,
+                hand.hesitation);
+  std::printf("         shakes by %g mm rms at 8 to 12 Hz, %s, and gives up after %g s at most\n",
+              hand.tremor / units::mm, hand.pulls_back ? "pulls back at the end" : "does not pull back",
+              duration(hand));
+  if (hand.stiffness == 0.0)
+    std::printf("         holds the hub in a rigid grip; a real one gives way: see hand.stiffness_N_m\n");
+}
+
 // Steps the simulation for about a tenth of a second of wall time and says what a step costs.
 void print_cost(const Scene& scene, Simulation& simulation) {
   using Clock = std::chrono::steady_clock;
@@ -106,9 +131,12 @@ void print_cost(const Scene& scene, Simulation& simulation) {
   const auto start = Clock::now();
   double elapsed = 0.0;
   int steps = 0;
-  while (steps < std::min(all, most) && (steps < fewest || elapsed < long_enough)) {
+  Hand hand(scene.hand, scene.run.time_step);
+  while (steps < most && (steps < fewest || elapsed < long_enough)) {
+    const std::optional<double> travel = hand.next(simulation.frame().hand_force);
+    if (!travel) break;
     ++steps;
-    simulation.step(hand_travel(scene.hand, steps * scene.run.time_step));
+    simulation.step(*travel);
     elapsed = std::chrono::duration<double>(Clock::now() - start).count();
   }
   const double per_step = elapsed / steps;
@@ -136,8 +164,7 @@ int do_check(const CheckOptions& options) {
   print_needle(scene->needle, scene->contact.rupture_force, prediction);
   print_tissue(*scene, *simulation, prediction);
   print_expectation(*scene, prediction);
-  std::printf("Hand     goes %g mm in %g s\n", furthest_travel(scene->hand) / units::mm,
-              duration(scene->hand));
+  print_hand(scene->hand);
   print_cost(*scene, *simulation);
   return done;
 }

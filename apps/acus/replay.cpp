@@ -40,9 +40,8 @@ int do_replay(const ReplayOptions& options) {
   const bool same_scene = options.settings.empty();
   io::HashCheck check(*recording);
   const auto look = [&](const Simulation& now) { return !same_scene || check(now); };
-  const auto travel = [&](int step) { return recording->travels[static_cast<std::size_t>(step) - 1]; };
   const auto steps = static_cast<int>(recording->travels.size());
-  const io::Insertion insertion = output->follow(*simulation, steps, travel, look);
+  const io::Insertion insertion = output->follow(*simulation, steps, io::following(recording->travels), look);
 
   const int code = output->finish(insertion);
   if (!recording->loss.empty()) std::fprintf(stderr, "acus: %s\n", recording->loss.c_str());

@@ -16,15 +16,14 @@ using haptics::Recorder;
 // Follows the hand of the scene to its end, and writes each step down.
 io::Insertion insert(Simulation& simulation, RunOutput& output, Recorder* recorder) {
   const Scene& scene = simulation.scene();
-  double travel = 0.0;  // m, the input of the last step
-  const auto along_the_hand = [&](int step) {
-    return travel = hand_travel(scene.hand, step * scene.run.time_step);
-  };
+  Hand hand(scene.hand, scene.run.time_step);
+  std::optional<double> travel;  // m, the input of the last step
+  const auto along_the_hand = [&](const Frame& last) { return travel = hand.next(last.hand_force); };
   const auto write_down = [&, begun = false](const Simulation& now) mutable {
     if (recorder == nullptr || !std::exchange(begun, true)) return true;
     recorder->wait_for_room();
     const bool due = recorder->hash_due();
-    recorder->step(travel, due ? std::optional(now.state_hash()) : std::nullopt);
+    recorder->step(*travel, due ? std::optional(now.state_hash()) : std::nullopt);
     return true;
   };
   return output.follow(simulation, io::step_count(scene), along_the_hand, write_down);

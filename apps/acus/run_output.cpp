@@ -92,14 +92,14 @@ Result<RunOutput> RunOutput::create(const OutputOptions& options) {
   return output;
 }
 
-Insertion RunOutput::follow(Simulation& simulation, int steps, const io::TravelOf& travel,
+Insertion RunOutput::follow(Simulation& simulation, int steps, const io::NextTravel& next,
                             const io::Observer& also) {
   catch_interruptions();
   const auto start = Clock::now();
   double writing = 0.0;  // s of wall time that was not spent on steps
   Progress progress("step", steps, options_.quiet);
   const Insertion insertion =
-      io::run_insertion(simulation, steps, travel, [&, completed = 0L](const Simulation& now) mutable {
+      io::run_insertion(simulation, next, [&, completed = 0L](const Simulation& now) mutable {
         const auto before = Clock::now();
         progress.update(completed++);
         const bool written = !folder_ || folder_->record(now);

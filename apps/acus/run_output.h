@@ -19,8 +19,8 @@ class RunOutput {
   // Makes the folder, where one is asked for.
   static Result<RunOutput> create(const OutputOptions& options);
 
-  // Takes the steps, with `also` looking on; Ctrl-C ends them early.
-  io::Insertion follow(Simulation& simulation, int steps, const io::TravelOf& travel,
+  // Takes the steps, `steps` at most, with `also` looking on; Ctrl-C ends them early.
+  io::Insertion follow(Simulation& simulation, int steps, const io::NextTravel& next,
                        const io::Observer& also);
 
   // Ends the files and prints the summary. 0, or the exit code of what went wrong, said on standard error.

@@ -106,8 +106,7 @@ void kill_after(int life_ms, const std::string& path) {
   auto simulation = io::build_replay(*recording);
   ASSERT_TRUE(simulation) << simulation.error().sentence;
   io::HashCheck check(*recording);
-  const auto travel = [&](int step) { return recording->travels[static_cast<std::size_t>(step) - 1]; };
-  io::run_insertion(*simulation, static_cast<int>(kept), travel, std::ref(check));
+  io::run_insertion(*simulation, io::following(recording->travels), std::ref(check));
   EXPECT_EQ(check.difference().value_or(""), "");
   EXPECT_EQ(check.compared(), static_cast<int>(recording->hashes.size()));
   EXPECT_EQ(check.compared() > 0, kept > 0);

@@ -68,6 +68,22 @@ TEST_F(Replay, gives_the_same_bits_and_the_same_files) {
   EXPECT_EQ(replay({"hand.acusrec", "--quiet"}).out, "");
 }
 
+// What a person does follows from what was felt; its recording holds what was done, and needs no feeling.
+TEST_F(Replay, takes_a_persons_hand_to_the_same_bits) {
+  const ProgramRun first =
+      run_program({"run", ACUS_SOURCE_DIR "/scenes/default.toml", "--set", "tissue.tetrahedra=300", "--set",
+                   "hand.kind=person", "--set", "hand.travel_mm=12", "--set", "hand.speed_mm_s=30", "--set",
+                   "hand.stiffness_N_m=1000", "--record", "person.acusrec", "--json", "--out", "person"},
+                  folder_);
+  ASSERT_EQ(first.exit_code, 0) << first.err;
+  const json recorded = json::parse(first.out);
+  EXPECT_LT(recorded["steps"], 30000);  // done before hand.duration_s is over
+  const ProgramRun again = replay({"person.acusrec", "--json", "--out", "person_again"});
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(json::parse(again.out)["state_hash"], recorded["state_hash"]);
+  EXPECT_EQ(file_text(folder_ + "/person_again/trace.csv"), file_text(folder_ + "/person/trace.csv"));
+}
+
 // Clamped and pinned, 200 mm carry 0.642 N before they buckle and 300 mm only 0.285 N (Euler); this hand
 // pushes harder. with more.
 TEST_F(Replay, takes_the_same_hand_with_another_needle) {

@@ -37,7 +37,7 @@ struct Insertion {
   }
 };
 
-// Steps the scene through its hand's whole plan, or until `stop` says so.
+// Steps the scene through its hand's whole movement, or until `stop` says so.
 inline Insertion insert(const Scene& scene, const std::function<bool(const Frame&)>& stop = {}) {
   auto simulation = Simulation::build(scene);
   if (!simulation) {
@@ -46,13 +46,13 @@ inline Insertion insert(const Scene& scene, const std::function<bool(const Frame
   }
   Insertion run;
   run.scene = scene;
-  const double h = scene.run.time_step;
-  const long steps = std::lround(duration(scene.hand) / h);
-  for (long k = 1; k <= steps; ++k) {
-    const Frame& frame = simulation->step(hand_travel(scene.hand, static_cast<double>(k) * h));
+  Hand hand(scene.hand, scene.run.time_step);
+  while (const std::optional<double> travel = hand.next(simulation->frame().hand_force)) {
+    const Frame& frame = simulation->step(*travel);
     run.frames.push_back(frame);
     if (frame.health != Health::good) {
-      ADD_FAILURE() << "step " << k << " failed with health " << static_cast<int>(frame.health);
+      ADD_FAILURE() << "the step to " << frame.time << " s failed with health "
+                    << static_cast<int>(frame.health);
       break;
     }
     if (stop && stop(frame)) break;

@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "acus/sim/hand.h"
 #include "acus/sim/simulation.h"
 #include "tests/counted_allocations.h"
 
@@ -41,6 +42,20 @@ TEST_P(StepAllocation, is_none_through_contact_puncture_and_withdrawal) {
   EXPECT_TRUE(stages.contains(Stage::contact) || stages.contains(Stage::buckled));
   EXPECT_TRUE(stages.contains(Stage::inserted));
   EXPECT_TRUE(stages.contains(Stage::withdrawn));
+}
+
+TEST(HandAllocation, is_none_while_a_person_pushes_hesitates_and_pulls_back) {
+  HandScene scene;
+  scene.kind = HandKind::person;
+  scene.travel = 10e-3;
+  scene.pulls_back = true;
+  Hand hand(scene, 1e-3);
+  double travel = 0.0, deepest = 0.0;
+  const long before = allocations;
+  while (const auto next = hand.next(200.0 * std::max(travel, 0.0)))
+    deepest = std::max(deepest, travel = *next);
+  EXPECT_EQ(allocations, before);
+  EXPECT_GT(deepest, 9e-3);
 }
 
 }  // namespace

@@ -25,6 +25,15 @@ TEST(Prediction, needles_of_figure_7a_fall_into_their_zones) {
   EXPECT_EQ(longer.outcome, Outcome::never_punctured);
 }
 
+TEST(Prediction, person_pushes_no_harder_than_the_limit) {
+  Scene scene = table_one(0.150);
+  scene.hand.kind = HandKind::person;
+  EXPECT_EQ(predict(scene).outcome, Outcome::straight_puncture);
+  scene.hand.force_limit = 0.9;  // N; the tissue gives way at 1 N
+  EXPECT_EQ(predict(scene).outcome, Outcome::never_punctured);
+  EXPECT_EQ(predict(scene).highest_load, 0.9);
+}
+
 // The elastica's top: 1.14 times the critical load at 46 % end shortening.
 TEST(Prediction, clamped_pinned_needle_never_pushes_more_than_1_14_times_its_critical_load) {
   const Prediction p = predict(table_one(0.200));

@@ -56,6 +56,21 @@ TEST(Scene, every_contradiction_is_named_by_its_key) {
        [](Scene& s) {
          s.hand = {.kind = HandKind::path, .path = {{0.0, 0.0}, {20.0, 0.25}}};
        }},
+      {"hand.path", "hand.kind is \"person\"",
+       [](Scene& s) {
+         s.hand = {.kind = HandKind::person, .path = {{0.0, 0.0}, {1.0, 0.01}}};
+       }},
+      {"hand.travel_mm", "reach at most 197 mm",
+       [](Scene& s) { s.hand = {.kind = HandKind::person, .travel = 0.1969, .path = {}}; }},
+      {"hand.force_limit_N", "from 0.01", [](Scene& s) { s.hand.force_limit = 0.0; }},
+      {"hand.hesitation_s", "from 0", [](Scene& s) { s.hand.hesitation = -0.1; }},
+      {"hand.reaction_s", "from 0", [](Scene& s) { s.hand.reaction = -0.1; }},
+      {"hand.tremor_mm", "from 0 to 5", [](Scene& s) { s.hand.tremor = 0.01; }},
+      {"hand.seed", "from 0", [](Scene& s) { s.hand.seed = -1; }},
+      {"hand.duration_s", "from 0.001", [](Scene& s) { s.hand.duration = 0.0; }},
+      // EA / L = 283 kN/m in one step of 1 ms; 3 N may come in fifths of 20 mm/s.
+      {"run.time_step_ms", "hand.stiffness_N_m = 30000 or less",
+       [](Scene& s) { s.hand.kind = HandKind::person, s.tissue.rigid = true, s.hand.speed = 20e-3; }},
       {"run.time_step_ms", "shorter than the movement",
        [](Scene& s) { s.hand.speed = 10.0, s.hand.travel = 1e-6; }},
       {"run.time_step_ms", "1e+08",

@@ -23,11 +23,11 @@ const char* const trace_head =
     "energy_contact_J,work_snap_J\n";
 
 // A row of a trace at a time, travel and force; of the work of the hand a quarter each went into tissue and
-// needle and a half into cutting.
+// needle and a half into cutting; the tip is a metre deep for each joule.
 std::string trace_row(const std::string& time_travel_force, double work) {
   std::ostringstream row;
-  row << time_travel_force << ",0,0,0,0,0.2,0.3,0,contact," << work << ',' << work / 4 << ',' << work / 4
-      << ",0," << work / 2 << ",0,0,0,0,1,0,0\n";
+  row << time_travel_force << ",0,0," << work << ",0,0.2,0.3,0,contact," << work << ',' << work / 4 << ','
+      << work / 4 << ",0," << work / 2 << ",0,0,0,0,1,0,0\n";
   return row.str();
 }
 
@@ -38,7 +38,7 @@ struct HandMade {
       "time_s,event,hand_travel_m,hand_force_N,free_length_m\n"
       "0.1,contact,0.001,0.02,0.2\n1.2,buckling,0.012,0.26,0.2\n1.8,puncture,0.018,0.44,0.19\n";
   std::string summary = R"({"outcome": "buckled_then_punctured", "completed": true, "health": "good",
-    "steps": 2000, "peak_hand_force_N": 0.5, "peak_tip_force_N": 0.45, "peak_deflection_m": 0.0125,
+    "steps": 2000, "simulated_time_s": 2.5, "peak_hand_force_N": 0.5, "peak_tip_force_N": 0.45, "peak_deflection_m": 0.0125,
     "peak_tip_depth_m": 0.003, "peak_energy_force_gap_N": 0.01,
     "bucklings": [{"event": "buckling", "predicted_load_N": 0.3125}],
     "energy": {"work_hand_J": 0.008, "relative_residual": 0.00025},
@@ -113,7 +113,7 @@ Report report_of(const Result<Read>& read) {
   return build_report(read->study, groups);
 }
 
-const char* const everything = "[report]\nshow = [\"force\", \"loads\", \"energy\"]\n";
+const char* const everything = "[report]\nshow = [\"force\", \"loads\", \"energy\", \"felt\"]\n";
 
 // Forces between rows lie on straight lines; the closed form is pi^2 E I / L^2 with Table I's 200 GPa, 0.3
 // mm.
@@ -126,7 +126,9 @@ TEST(Report, its_numbers_are_those_of_the_files) {
         "a|contact|1|0.02|200|0.3139", "a|buckling|12|0.26|200|0.3139",  // events
         "a|puncture|18|0.44|190|0.3479",
         "a|buckled-then-punctured|0.3139|0.26|-17.2 %|0.44||||",  // closed form against simulated
-        "a|8|2|2|0|0|4|0|0|0|0|0.025 %|2 %",                      // the ledger
+        // felt: 4 mm/s for the 0.2 s of a reaction
+        "a|buckled-then-punctured|1.2|0.26|1.8|0.44|0.8|0.5|2.5",
+        "a|8|2|2|0|0|4|0|0|0|0|0.025 %|2 %",  // the ledger
         "made / a|buckled-then-punctured|good|0.5|1234|2000|00ff00ff00ff00ff"})
     EXPECT_TRUE(rows.count(row)) << row;
   EXPECT_NE(report_of(read).html.find("Made by acus 9.9, hand, none, Eigen 3."), std::string::npos);
@@ -142,10 +144,11 @@ TEST(Report, the_table_of_results_is_that_of_the_files) {
       "study,run,needle.length_mm,outcome,health,buckling_load_N,buckling_predicted_N,buckling_travel_m,"
       "puncture_force_N,puncture_travel_m,second_buckling_load_N,second_buckling_predicted_N,"
       "second_buckling_free_length_m,peak_hand_force_N,peak_tip_force_N,peak_deflection_m,peak_tip_depth_m,"
-      "work_hand_J,relative_energy_residual,peak_energy_force_gap_N,tetrahedra,steps,state_hash\n"
+      "work_hand_J,relative_energy_residual,peak_energy_force_gap_N,tetrahedra,simulated_time_s,steps,state_"
+      "hash\n"
       "made,a,200,buckled_then_punctured,good,0.26,0.3125,0.012,0.44,0.018,,,,0.5,0.45,0.0125,0.003,0.008,"
-      "0.00025,0.01,1234,2000,00ff00ff00ff00ff\n"
-      "made,b,200,never_punctured,not_finite,0.26,,0.012,0.44,0.018,,,,,,,,,,,,1,\n");
+      "0.00025,0.01,1234,2.5,2000,00ff00ff00ff00ff\n"
+      "made,b,200,never_punctured,not_finite,0.26,,0.012,0.44,0.018,,,,,,,,,,,,,1,\n");
 }
 
 TEST(Report, a_run_that_ended_early_is_named_and_left_out_of_the_pictures) {

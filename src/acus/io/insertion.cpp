@@ -1,7 +1,5 @@
 #include "acus/io/insertion.h"
 
-#include <cmath>
-
 #include "acus/io/mesh_file.h"
 #include "acus/sim/hand.h"
 
@@ -14,25 +12,30 @@ Result<Simulation> build_simulation(const Scene& scene) {
   return Simulation::build(scene, &*mesh);
 }
 
-int step_count(const Scene& scene) {
-  constexpr double rounding = 1e-9;  // of a step: a duration of 8.0 s is 8000 steps of 1 ms, not 8001
-  return static_cast<int>(std::ceil(duration(scene.hand) / scene.run.time_step - rounding));
+int step_count(const Scene& scene) { return acus::step_count(scene.hand, scene.run.time_step); }
+
+NextTravel following(std::span<const double> travels) {
+  return [travels, step = std::size_t{0}](const Frame&) mutable {
+    return step < travels.size() ? std::optional(travels[step++]) : std::nullopt;
+  };
 }
 
 Insertion run_insertion(Simulation& simulation, const Observer& observer) {
-  const Scene& scene = simulation.scene();
-  const auto travel = [&](int step) { return hand_travel(scene.hand, step * scene.run.time_step); };
-  return run_insertion(simulation, step_count(scene), travel, observer);
+  Hand hand(simulation.scene().hand, simulation.scene().run.time_step);
+  const auto travel = [&](const Frame& last) { return hand.next(last.hand_force); };
+  return run_insertion(simulation, travel, observer);
 }
 
-Insertion run_insertion(Simulation& simulation, int steps, const TravelOf& travel, const Observer& observer) {
+Insertion run_insertion(Simulation& simulation, const NextTravel& next, const Observer& observer) {
   Insertion insertion;
   insertion.scene = simulation.scene();
   insertion.nodes = static_cast<int>(simulation.tissue().nodes.size());
   insertion.tetrahedra = static_cast<int>(simulation.tissue().tets.size());
   insertion.interrupted = observer && !observer(simulation);
-  for (int step = 1; step <= steps && !insertion.interrupted; ++step) {
-    const Frame& frame = simulation.step(travel(step));
+  while (!insertion.interrupted) {
+    const std::optional<double> travel = next(simulation.frame());
+    if (!travel) break;
+    const Frame& frame = simulation.step(*travel);
     add(insertion.summary, frame, simulation.events());
     insertion.interrupted = observer && !observer(simulation);
     if (frame.health != Health::good) break;

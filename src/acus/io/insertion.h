@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "acus/base/result.h"
@@ -15,7 +17,7 @@ namespace acus::io {
 // The simulation of a scene; reads tissue.mesh if the scene names one. Errors name the key or the mesh file.
 Result<Simulation> build_simulation(const Scene& scene);
 
-// Number of steps that the hand's movement takes.
+// Number of steps that the hand's movement takes; of a person's, at most.
 int step_count(const Scene& scene);
 
 // Called with the state before the first step, and after every step; false ends the insertion there.
@@ -31,13 +33,16 @@ struct Insertion {
   bool interrupted = false;  // by the observer
 };
 
-// Where the hub is [m] at the end of a step; steps count from 1.
-using TravelOf = std::function<double(int step)>;
+// Where the hand is [m] at the end of the next step, told what was seen of the last one; nothing after the
+// last.
+using NextTravel = std::function<std::optional<double>(const Frame& last)>;
 
-// Takes `steps` steps with a simulation that was just built. One that goes wrong ends the insertion early:
-// see summary.health.
-Insertion run_insertion(Simulation& simulation, int steps, const TravelOf& travel,
-                        const Observer& observer = {});
+// One travel after another; they must outlive it.
+NextTravel following(std::span<const double> travels);
+
+// Takes the steps with a simulation that was just built. One that goes wrong ends the insertion early: see
+// summary.health.
+Insertion run_insertion(Simulation& simulation, const NextTravel& next, const Observer& observer);
 
 // The same along the movement of the scene's hand, to its end.
 Insertion run_insertion(Simulation& simulation, const Observer& observer = {});

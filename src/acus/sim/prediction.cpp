@@ -44,6 +44,7 @@ Prediction predict(const Scene& scene) {
   p.highest_load = comes_to_buckle
                        ? p.critical_load * highest_load_ratio(spec.support, (travel - p.sink) / spec.length)
                        : (travel > 0.0 ? travel / p.sink * rupture_force : 0.0);
+  if (scene.hand.kind == HandKind::person) p.highest_load = std::min(p.highest_load, scene.hand.force_limit);
   p.longest_straight = spec.length * std::sqrt(p.critical_load / rupture_force);
   if (scene.tissue.rigid || p.highest_load < rupture_force)
     p.outcome = Outcome::never_punctured;

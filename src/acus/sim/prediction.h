@@ -8,7 +8,8 @@ namespace acus {
 
 struct Prediction {
   double critical_load;  // N, Eq. 10 with the scene's support on the whole length
-  double highest_load;   // N, most that the column can push within the hand's travel, buckled or not
+  double highest_load;   // N, most that the column can push within the hand's travel, buckled or not, and
+                         // that a person does
   double sink;           // m, of the entry under the rupture force: half-space, mean over the contact disc
   double
       longest_straight;  // m, free length up to which the column carries the rupture force without buckling

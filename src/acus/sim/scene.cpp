@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "acus/base/decimal.h"
 #include "acus/sim/hand.h"
+#include "acus/sim/hill.h"
 #include "acus/sim/scene_keys.h"
+#include "acus/sim/tremor.h"
 
 namespace acus {
 namespace {
@@ -102,6 +105,7 @@ Complaint path_complaint(const Scene& scene) {
 
 double highest_speed(const HandScene& hand) {
   if (hand.kind == HandKind::steady) return hand.speed;
+  if (hand.kind == HandKind::person) return hand.speed + fastest_tremor(hand.tremor);
   double highest = 0.0;
   for (std::size_t i = 1; i < hand.path.size(); ++i) {
     const HandPoint &from = hand.path[i - 1], &to = hand.path[i];
@@ -112,8 +116,10 @@ double highest_speed(const HandScene& hand) {
 
 Complaint hand_complaint(const Scene& scene) {
   const HandScene& hand = scene.hand;
-  if (hand.kind == HandKind::steady && !hand.path.empty())
-    return "hand.path is given, but hand.kind is \"steady\"; set hand.kind = \"path\" or remove the path";
+  if (hand.kind != HandKind::path && !hand.path.empty())
+    return std::string("hand.path is given, but hand.kind is \"") +
+           (hand.kind == HandKind::steady ? "steady" : "person") +
+           "\"; set hand.kind = \"path\" or remove the path";
   if (hand.kind == HandKind::path)
     if (auto said = path_complaint(scene)) return said;
   const std::string travel_key = hand.kind == HandKind::path ? "hand.path" : "hand.travel_mm";
@@ -123,6 +129,31 @@ Complaint hand_complaint(const Scene& scene) {
     return travel_key + " must leave 10 needle radii of the needle outside, so reach at most " +
            in_mm(furthest) + ", but reaches " + in_mm(furthest_travel(hand));
   return {};
+}
+
+// N/m, most that the force can rise by for each metre of the hand, where needle and tissue meet.
+double stiffest_contact(const Scene& scene) {
+  const needle::NeedleSpec& needle = scene.needle;
+  double give = grip_compliance(scene.hand);
+  give += needle.length / (needle.youngs_modulus * std::numbers::pi * needle.radius * needle.radius);
+  if (!scene.tissue.rigid) give += 1.0 / scene.contact.stiffness;
+  return 1.0 / give;
+}
+
+// A person's speed follows the force of the step before. As long as a step lets the force rise by no more
+// than what takes the speed away, the force comes to the limit from below and never passes it.
+Complaint person_complaint(const Scene& scene) {
+  const HandScene& hand = scene.hand;
+  if (hand.kind != HandKind::person) return {};
+  const double stiffness = stiffest_contact(scene);
+  const double longest = 1.0 / (hill_steepest_fall(hand.speed, hand.force_limit) * stiffness);
+  if (scene.run.time_step <= longest) return {};
+  const double softest = std::floor(stiffness * longest / scene.run.time_step);
+  const double longest_us = std::floor(times_power_of_ten(longest, 6));
+  return "run.time_step_ms is too long for a person who comes to a stand at " +
+         decimal_text(hand.force_limit) + " N: the force would jump past it; take at most " +
+         decimal_text(times_power_of_ten(longest_us, -3)) +
+         " ms, or a softer grip, hand.stiffness_N_m = " + decimal_text(softest) + " or less";
 }
 
 Complaint run_complaint(const Scene& scene) {
@@ -139,7 +170,7 @@ Complaint run_complaint(const Scene& scene) {
     return "run.time_step_ms is too long for a hand that moves at " + in_mm(highest_speed(scene.hand)) +
            "/s: it may go at most contact.contact_radius_mm, " + in_mm(scene.contact.contact_radius) +
            ", in one step, but goes " + in_mm(advance);
-  return {};
+  return person_complaint(scene);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ enum class NeedleModel { column };  // the paper's closed forms
 using Element = tissue::ElementKind;
 enum class Coupling { embedded, nearest_node };
 using Crack = force::Crack;
-enum class HandKind { steady, path };
+enum class HandKind { steady, path, person };
 
 struct TissueScene {
   bool rigid = false;            // a fixed stop instead of tissue: the bare column in a testing machine
@@ -55,10 +55,23 @@ struct HandPoint {
 
 struct HandScene {
   HandKind kind = HandKind::steady;
-  double speed = 10e-3;         // m/s
+  double speed = 10e-3;         // m/s; of a person without load
   double travel = 80e-3;        // m from first touch
   double stiffness = 0.0;       // N/m, of the grip between hand and hub; 0: rigid
   std::vector<HandPoint> path;  // kind = path: straight lines between these, times increasing
+
+  // kind = person (person.h)
+  double force_limit = 3.0;  // N, at which the hand stands; chosen: three times the rupture force
+  // s, from what is felt to what is done. To a touch alone it is 0.155 s (Robinson 1934, in Kosinski's review
+  // of reaction times); chosen a little longer for someone who is busy pushing.
+  double reaction = 0.2;
+  double hesitation = 0.4;  // s, chosen
+  // m rms. Eye surgeons who hold an instrument still: 49 um (Riviere, Rader and Khosla, Proc. IEEE EMBS
+  // 1997).
+  double tremor = 50e-6;
+  int seed = 1;            // of the tremor
+  double duration = 30.0;  // s, chosen: after which nobody would push any longer
+  bool pulls_back = false;
 };
 
 struct RunScene {

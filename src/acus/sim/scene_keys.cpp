@@ -91,18 +91,43 @@ std::vector<SceneKey> contact_keys() {
   };
 }
 
-std::vector<SceneKey> hand_and_run_keys() {
+std::vector<SceneKey> hand_keys() {
   return {
-      {"hand.kind", ACUS_CHOICE(hand.kind, "steady", "path"),
-       "steady pushes at one speed; path follows hand.path"},
+      {"hand.kind", ACUS_CHOICE(hand.kind, "steady", "path", "person"),
+       "steady pushes at one speed; path follows hand.path; person feels the needle, as the keys from "
+       "hand.force_limit_N on say"},
       {"hand.speed_mm_s", NumberField{ACUS_AT(hand.speed), milli, {0.001, 10000.0}},
-       "of the hand, when steady"},
+       "of the hand, when steady; of a person without load"},
       {"hand.travel_mm", NumberField{ACUS_AT(hand.travel), milli, {0.001, 2000.0}},
-       "how far the hand goes from first touch, when steady"},
+       "how far the hand goes from first touch, unless it follows hand.path"},
       {"hand.stiffness_N_m", NumberField{ACUS_AT(hand.stiffness), one, {0.0, 1e9}},
        "of the grip between hand and hub; 0 for a hub that goes where the hand goes"},
       {"hand.path", HandPathField{ACUS_AT(hand.path), milli, {0.0, 1e5}, {-1000.0, 2000.0}},
        "[[time in s, travel in mm], ...] joined by straight lines; pauses and withdrawal are welcome"},
+  };
+}
+
+std::vector<SceneKey> person_keys() {
+  return {
+      {"hand.force_limit_N", NumberField{ACUS_AT(hand.force_limit), one, {0.01, 200.0}},
+       "force at which a person's hand comes to a stand (Hill's law); under more it gives way"},
+      {"hand.reaction_s", NumberField{ACUS_AT(hand.reaction), one, {0.0, 5.0}},
+       "from what a person feels until the hand does something about it"},
+      {"hand.hesitation_s", NumberField{ACUS_AT(hand.hesitation), one, {0.0, 60.0}},
+       "how long a person stands still after feeling contact, buckling or puncture; 0 for one who never "
+       "does"},
+      {"hand.tremor_mm", NumberField{ACUS_AT(hand.tremor), milli, {0.0, 5.0}},
+       "root mean square of a person's tremor, 8 to 12 Hz"},
+      {"hand.seed", IntegerField{ACUS_AT(hand.seed), {0.0, 1e9}}, "which tremor it is"},
+      {"hand.duration_s", NumberField{ACUS_AT(hand.duration), one, {0.001, 1e5}},
+       "how long a person pushes at most, and again pulls"},
+      {"hand.pulls_back", SwitchField{ACUS_AT(hand.pulls_back)},
+       "whether a person then pulls the needle out again"},
+  };
+}
+
+std::vector<SceneKey> run_keys() {
+  return {
       {"run.time_step_ms", NumberField{ACUS_AT(run.time_step), milli, {0.01, 20.0}},
        "of the implicit integrator"},
       {"run.solver_tolerance", NumberField{ACUS_AT(run.solver_tolerance), one, {1e-14, 0.1}},
@@ -120,7 +145,8 @@ std::vector<SceneKey> hand_and_run_keys() {
 const std::vector<SceneKey>& scene_keys() {
   static const std::vector<SceneKey> keys = [] {
     std::vector<SceneKey> all;
-    for (const auto& part : {needle_keys(), tissue_keys(), contact_keys(), hand_and_run_keys()})
+    for (const auto& part :
+         {needle_keys(), tissue_keys(), contact_keys(), hand_keys(), person_keys(), run_keys()})
       all.insert(all.end(), part.begin(), part.end());
     return all;
   }();

@@ -27,7 +27,7 @@ NeedlePlace place_needle(const Model& m, const State& s) {
 State initial_state(const Model& m) {
   State s;
   // The hand may start before first touch; the tip is as far away then.
-  s.hub_travel = s.tip_position = s.tip_elongation = hand_travel(m.scene.hand, 0.0);
+  s.hub_travel = s.tip_position = s.tip_elongation = start_travel(m.scene.hand);
   s.energy_force = force::EnergyForce(s.hub_travel);
   if (m.rigid()) return s;
   s.position = m.mesh.nodes;

@@ -75,6 +75,7 @@ const Field fields[] = {
     ACUS_SUMMARY("relative_energy_residual", "/energy/relative_residual"),
     ACUS_SUMMARY("peak_energy_force_gap_N", "/peak_energy_force_gap_N"),
     ACUS_SUMMARY("tetrahedra", "/mesh/tetrahedra"),
+    ACUS_SUMMARY("simulated_time_s", "/simulated_time_s"),
     ACUS_SUMMARY("steps", "/steps"),
     ACUS_SUMMARY("state_hash", "/state_hash"),
 };

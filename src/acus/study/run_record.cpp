@@ -88,10 +88,10 @@ std::optional<Error> read_events(const std::string& path, RunRecord& record) {
   for (std::size_t r = 1; r < rows.size(); ++r) {
     // time_s, event, hand_travel_m, hand_force_N, free_length_m
     std::vector<double> values;
-    if (rows[r].size() != 5 || !append_number(rows[r][2], values) || !append_number(rows[r][3], values) ||
-        !append_number(rows[r][4], values))
+    if (rows[r].size() != 5 || !append_number(rows[r][0], values) || !append_number(rows[r][2], values) ||
+        !append_number(rows[r][3], values) || !append_number(rows[r][4], values))
       return damaged_row(path, r);
-    record.events.push_back({std::string(rows[r][1]), values[0], values[1], values[2]});
+    record.events.push_back({std::string(rows[r][1]), values[0], values[1], values[2], values[3]});
   }
   return std::nullopt;
 }

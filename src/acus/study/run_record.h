@@ -17,6 +17,7 @@ namespace acus::study {
 
 struct EventRecord {
   std::string event;
+  double time = 0.0;         // s
   double hand_travel = 0.0;  // m
   double hand_force = 0.0;   // N
   double free_length = 0.0;  // m

@@ -54,6 +54,51 @@ TEST(HapticLoop, lets_the_hand_feel_the_needle_buckle) {
   EXPECT_FALSE(simulation->events().empty());
 }
 
+// Whoever watches sees each step, may take the force away and give it back, and may halt the needle's time.
+TEST(HapticLoop, lets_go_and_stands_still_when_it_is_asked_to) {
+  const Scene scene = testing_machine();
+  Result<Simulation> simulation = Simulation::build(held_by(*find_device_limits("touch"), scene));
+  SimulatedDevice device(*find_device_limits("touch"), light_grip,
+                         [](double t) { return std::clamp(40e-3 * (t - 0.8), 0.0, 40e-3); });
+  LoopControl control;
+  LoopSettings settings;
+  settings.control = &control;
+  std::atomic<bool> stop{false};
+  enum { pushing, letting_go, without, standing, done } phase = pushing;
+  long looks = 0;
+  double force_before = 0.0, time_before = 0.0, stood_at = 0.0;
+  settings.watch = [&](const Simulation& now, const LoopStatus& status) {
+    ++looks;
+    if (phase == pushing && status.device_force > 0.4) {
+      phase = letting_go;
+      control.armed = false;
+    } else if (phase == letting_go && status.device_force == 0.0) {
+      phase = without;
+      time_before = now.frame().time;
+    } else if (phase == without) {
+      EXPECT_EQ(status.device_force, 0.0);
+      EXPECT_NE(status.gate, GateState::armed);
+      force_before = std::max(force_before, now.frame().hand_force);
+      if (now.frame().time > time_before + 0.2) {
+        phase = standing;
+        control.paused = true;
+        stood_at = now.frame().time;
+        looks = 0;
+      }
+    } else if (phase == standing) {
+      EXPECT_EQ(now.frame().time, stood_at);
+      if (looks > 100) {
+        phase = done;
+        stop = true;
+      }
+    }
+  };
+  const StopAfter safety(30.0, stop);
+  run_loop(device, *simulation, settings, safety.flag());
+  EXPECT_EQ(phase, done);
+  EXPECT_GT(force_before, 0.3);  // the needle went on to push; only the device let go
+}
+
 // A simulation that ends with a failed step falls silent, and the loop goes on without force.
 TEST(HapticLoop, goes_on_without_force_when_the_simulation_fails) {
   Scene scene = testing_machine();

@@ -16,7 +16,7 @@ struct HandWord {
   HandMotion motion;
   double device_time = 0.0;  // s
   double our_time = -1.0;    // s; negative before the first tick
-  GateFault fault = GateFault::none;
+  LoopStatus status;         // what the device's thread knows of it
 };
 
 struct Exchange {
@@ -38,9 +38,14 @@ io::RecordedTick recorded(const DeviceState& state, const Wrench& wrench) {
 // The device's thread, once a tick.
 class LoopTick final : public Tick {
  public:
-  LoopTick(Exchange& exchange, const ServoSettings& settings, Recorder* recorder, LoopReport& report,
+  LoopTick(Exchange& exchange, const ServoSettings& servo, const LoopSettings& settings, LoopReport& report,
            const std::atomic<bool>& stop)
-      : exchange_(exchange), servo_(settings), recorder_(recorder), report_(report), stop_(stop) {}
+      : exchange_(exchange),
+        servo_(servo),
+        recorder_(settings.recorder),
+        control_(settings.control),
+        report_(report),
+        stop_(stop) {}
 
   Wrench operator()(const DeviceState& state) noexcept override {
     const double start = monotonic_time();
@@ -52,14 +57,32 @@ class LoopTick final : public Tick {
     // Whoever holds the device says when the force may come back after a fault.
     if ((state.buttons & ~buttons_) != 0) servo_.rearm();
     buttons_ = state.buttons;
-    const Wrench wrench = servo_.tick(state, word);
+    const Wrench wrench = servo_.tick(as_controlled(state), word);
     if (stop_.load(std::memory_order_relaxed) && wrench.force.isZero() && wrench.torque.isZero())
       over_.store(true, std::memory_order_relaxed);
-    exchange_.hand.write({servo_.hand(), state.time, start, servo_.gate().fault()});
+    exchange_.hand.write({servo_.hand(), state.time, start, status_after(wrench)});
     if (recorder_ != nullptr) recorder_->tick(recorded(state, state.ready ? wrench : Wrench{}));
     report_.largest_force = std::max(report_.largest_force, wrench.force.norm());
     report_.work.add(monotonic_time() - start);
     return wrench;
+  }
+
+  // A device whose force is not wanted is treated as one that is not ready: the needle stays where it is.
+  DeviceState as_controlled(DeviceState state) const noexcept {
+    if (control_ != nullptr) state.ready = state.ready && control_->armed && !control_->paused;
+    return state;
+  }
+
+  LoopStatus status_after(const Wrench& wrench) noexcept {
+    constexpr long stride = 128;  // ticks: to look through the histogram takes a microsecond
+    if (report_.work.count() % stride == 0) {
+      status_.late_ticks = report_.period.longer_than(late_tick);
+      status_.tick_p999 = report_.work.quantile(0.999);
+    }
+    status_.device_force = wrench.force.norm();
+    status_.gate = servo_.gate().state();
+    status_.fault = servo_.gate().fault();
+    return status_;
   }
 
   const Servo& servo() const { return servo_; }
@@ -70,7 +93,9 @@ class LoopTick final : public Tick {
   Exchange& exchange_;
   Servo servo_;
   Recorder* recorder_;
+  const LoopControl* control_;
   LoopReport& report_;
+  LoopStatus status_;
   const std::atomic<bool>& stop_;
   std::atomic<bool> over_{false};
   unsigned buttons_ = 0;
@@ -86,8 +111,10 @@ void simulate(Exchange& exchange, Simulation& simulation, LoopReport& report, co
   const double begin = monotonic_time(), from = simulation.frame().time;
   while (!stop.load(std::memory_order_relaxed)) {
     const HandWord hand = exchange.hand.read();
-    if (hand.fault != std::exchange(told, hand.fault) && settings.announce) settings.announce(hand.fault);
-    if (hand.our_time >= 0.0 && simulation.frame().health == Health::good) {
+    LoopStatus status = hand.status;
+    if (status.fault != std::exchange(told, status.fault) && settings.announce) settings.announce(told);
+    const bool paused = settings.control != nullptr && settings.control->paused;
+    if (hand.our_time >= 0.0 && simulation.frame().health == Health::good && !paused) {
       const double start = monotonic_time();
       const bool due = settings.recorder != nullptr && settings.recorder->hash_due();
       LocalForce word = needle.step(hand.motion, 0.0);
@@ -100,7 +127,9 @@ void simulate(Exchange& exchange, Simulation& simulation, LoopReport& report, co
         exchange.needle.write(word);
       }
       report.step.add(end - start);
+      status.load = (end - start) / report.time_step;
     }
+    if (settings.watch) settings.watch(simulation, status);
     pace.wait();
   }
   report.wall_time = monotonic_time() - begin;
@@ -116,8 +145,8 @@ LoopOutcome run_loop(Device& device, Simulation& simulation, const LoopSettings&
   LoopReport& report = outcome.report;
   report.time_step = simulation.scene().run.time_step;
   Exchange exchange;
-  LoopTick tick(exchange, {device.limits(), settings.force_limit, settings.start_travel, 1e-3},
-                settings.recorder, report, stop);
+  LoopTick tick(exchange, {device.limits(), settings.force_limit, settings.start_travel, 1e-3}, settings,
+                report, stop);
   std::atomic<bool> over{false};
   std::thread simulating([&] { simulate(exchange, simulation, report, settings, over); });
   const RealTime real_time;

@@ -12,6 +12,22 @@
 
 namespace acus::haptics {
 
+// How the loop is doing, for whoever watches.
+struct LoopStatus {
+  double load = 0.0;  // of the last step: its time on the wall / its time step
+  long late_ticks = 0;
+  double tick_p999 = 0.0;     // s, of our part of a tick
+  double device_force = 0.0;  // N
+  GateState gate = GateState::disarmed;
+  GateFault fault = GateFault::none;
+};
+
+// What may be asked of the loop while it runs, from any thread.
+struct LoopControl {
+  std::atomic<bool> armed{true};    // false: the force is let go; it comes back as at the start
+  std::atomic<bool> paused{false};  // the simulation stands still, and the force is let go
+};
+
 struct LoopSettings {
   double force_limit = 0.0;  // N, the person's own; 0: the device's
   double start_travel =
@@ -20,6 +36,9 @@ struct LoopSettings {
   // thread.
   std::function<void(GateFault)> announce;
   Recorder* recorder = nullptr;  // writes down every tick and every step; null: nobody does
+  // Shown each step, and while there is none; from the simulation's thread, which it holds up.
+  std::function<void(const Simulation&, const LoopStatus&)> watch;
+  const LoopControl* control = nullptr;
 };
 
 struct LoopOutcome {

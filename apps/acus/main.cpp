@@ -115,12 +115,18 @@ void add_study(CLI::App& program, Work& work) {
 
 void add_serve(CLI::App& program, Work& work) {
   auto options = std::make_shared<ServeOptions>();
-  CLI::App* verb = program.add_subcommand("serve", "a scene under a hand, in real time");
-  verb->add_option("SCENE", options->scene, "scene file (TOML)")->required();
+  CLI::App* verb =
+      program.add_subcommand("serve", "the studio on this machine, and a haptic device in the hand");
+  verb->add_option("SCENE", options->scene, "scene file (TOML); the defaults without it");
   add_settings(*verb, options->settings);
-  verb->add_option("--device", options->device, "as `acus device list` names it")
-      ->type_name("NAME")
+  verb->add_option("--device", options->device,
+                   "as `acus device list` names it; without it a page leads the hand")
+      ->type_name("NAME");
+  constexpr int last_port = 65535;
+  verb->add_option("--port", options->port, "where it listens on this machine; 0: any that is free")
+      ->check(CLI::Range(0, last_port))
       ->capture_default_str();
+  verb->add_flag("!--no-browser", options->opens_browser, "do not open a browser");
   verb->add_option("--force-limit", options->force_limit, "most force in N, where less than the device's")
       ->type_name("N")
       ->check(CLI::Range(0.1, 100.0));

@@ -1,57 +1,87 @@
-// acus serve: a scene under a hand, in real time.
+// acus serve: the studio on this machine, and a device at the needle where one is named.
+#include <spawn.h>
+
 #include <cstdio>
+#include <cstdlib>
 #include <optional>
 
-#include "acus/haptics/backends.h"
-#include "acus/haptics/haptic_loop.h"
 #include "acus/haptics/stop_after.h"
 #include "acus/haptics/virtual_coupling.h"
 #include "acus/io/insertion.h"
 #include "acus/io/scene_toml.h"
 #include "interruption.h"
 #include "recording.h"
+#include "studio/studio_server.h"
 #include "verbs.h"
 
+extern char** environ;
+
 namespace acus::app {
+namespace {
+
+// On a desktop the browser opens by itself.
+void open_in_browser(const std::string& address) {
+  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
+  std::string program = "xdg-open", target = address;
+  char* words[] = {program.data(), target.data(), nullptr};
+  pid_t child = 0;
+  posix_spawnp(&child, words[0], nullptr, nullptr, words, environ);
+}
+
+struct Served {
+  std::unique_ptr<Engine> engine;
+  std::unique_ptr<haptics::Recorder> recorder;
+};
+
+// A page leads the hand.
+Result<Served> serve_pages(const Scene& scene, const ServeOptions& options) {
+  if (options.record_given) return Error{"--record needs a --device; a page keeps its own recordings"};
+  Served served;
+  served.engine = led_engine(scene);
+  return served;
+}
+
+// A device does.
+Result<Served> serve_device(const Scene& scene, const ServeOptions& options) {
+  Result<haptics::OpenDevice> opened = haptics::open_device(options.device);
+  if (!opened) return opened.error();
+  const haptics::DeviceLimits& limits = opened->device->limits();
+  Result<Simulation> simulation = io::build_simulation(haptics::held_by(limits, scene));
+  if (!simulation) return Error{options.scene + ": " + simulation.error().sentence};
+  Result<std::unique_ptr<haptics::Recorder>> recorder =
+      start_recorder(options.record_given, options.record, simulation->scene());
+  if (!recorder) return recorder.error();
+  std::printf(
+      "%s (%s) shows the needle now; it is felt from 5 mm ahead of where the handle is when it becomes "
+      "ready.\n",
+      limits.title.c_str(), opened->by->proof);
+  Served served;
+  served.recorder = std::move(*recorder);
+  served.engine = device_engine(std::move(opened).value(), std::move(simulation).value(),
+                                {options.force_limit, served.recorder.get()});
+  return served;
+}
+
+}  // namespace
 
 int do_serve(const ServeOptions& options) {
-  const Result<Scene> scene = io::read_scene(options.scene, options.settings);
+  const Result<Scene> scene = options.scene.empty() ? io::parse_scene("", "scene", options.settings)
+                                                    : io::read_scene(options.scene, options.settings);
   if (!scene) return refused(scene.error().sentence, bad_input);
-  const Result<haptics::OpenDevice> opened = haptics::open_device(options.device);
-  if (!opened) return refused(opened.error().sentence, bad_input);
-  haptics::Device& device = *opened->device;
-  Result<Simulation> simulation = io::build_simulation(haptics::held_by(device.limits(), *scene));
-  if (!simulation) return refused(options.scene + ": " + simulation.error().sentence, bad_input);
-  const Result<std::unique_ptr<haptics::Recorder>> recorder =
-      start_recorder(options.record_given, options.record, simulation->scene());
-  if (!recorder) return refused(recorder.error().sentence, bad_input);
-  haptics::LoopSettings settings;
-  settings.force_limit = options.force_limit;
-  settings.recorder = recorder->get();
-  settings.announce = [](haptics::GateFault fault) {
-    if (fault == haptics::GateFault::none)
-      std::printf("The force is armed again.\n");
-    else
-      std::printf("Force off: %s. A button of the device arms it again.\n", haptics::in_words(fault).c_str());
-    std::fflush(stdout);
-  };
-  std::printf(
-      "Research and training simulator, not a medical device.\n"
-      "%s (%s) shows the needle now; it is felt from 5 mm ahead of where the handle is when it becomes "
-      "ready.\nCtrl-C ends it.\n",
-      device.limits().title.c_str(), opened->by->proof);
+  std::printf("Research and training simulator, not a medical device.\n");
+  Result<Served> served =
+      options.device.empty() ? serve_pages(*scene, options) : serve_device(*scene, options);
+  if (!served) return refused(served.error().sentence, bad_input);
+  const auto studio = StudioServer::start(static_cast<unsigned short>(options.port), *served->engine);
+  if (!studio) return refused(studio.error().sentence, bad_input);
+  std::printf("The studio, for a browser on this machine: %s\nCtrl-C ends it.\n",
+              (*studio)->address().c_str());
   std::fflush(stdout);
   catch_interruptions();
+  if (options.opens_browser) open_in_browser((*studio)->address());
   const haptics::StopAfter stop(options.seconds, interruption_flag());
-  const haptics::LoopOutcome outcome = haptics::run_loop(device, *simulation, settings, stop.flag());
-  std::optional<Error> not_recorded;
-  if (settings.recorder != nullptr) not_recorded = settings.recorder->finish(simulation->state_hash());
-  std::fputs(haptics::in_words(outcome.report).c_str(), stdout);
-  if (not_recorded) refused(not_recorded->sentence, run_failed);
-  if (outcome.lost) return refused(outcome.lost->sentence, run_failed);
-  if (outcome.report.health != Health::good)
-    return refused("the simulation failed: " + std::string(complaint(outcome.report.health)), run_failed);
-  return not_recorded ? run_failed : done;
+  const std::optional<Error> failed = (*studio)->run(stop.flag());
+  return failed ? refused(failed->sentence, run_failed) : done;
 }
 
 }  // namespace acus::app

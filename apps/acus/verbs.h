@@ -60,10 +60,12 @@ int do_study(const StudyOptions& options);
 struct ServeOptions {
   std::string scene;
   std::vector<std::string> settings;
-  std::string device = "simulated";
-  double force_limit = 0.0;  // N; 0: the device's own
-  double seconds = 0.0;      // 0: until it is interrupted
-  std::string record;        // file
+  std::string device;         // empty: a page leads the hand
+  int port = 8650;            // 0: any that is free
+  bool opens_browser = true;  // where there is a desktop
+  double force_limit = 0.0;   // N; 0: the device's own
+  double seconds = 0.0;       // 0: until it is interrupted
+  std::string record;         // file
   bool record_given = false;
 };
 int do_serve(const ServeOptions& options);

@@ -49,7 +49,6 @@ struct WebSocket::Connection {
 
   Connection() {
     stream.read_message_max(longest_message);
-    stream.text(true);
     // Deadlines are kept by whoever waits.
     websocket::stream_base::timeout never{};
     never.handshake_timeout = never.idle_timeout = websocket::stream_base::none();
@@ -80,6 +79,14 @@ struct WebSocket::Connection {
       return beast::error::timeout;
     }
     return *result;
+  }
+
+  bool write(std::string_view message, double patience) {
+    if (over) return false;
+    over = static_cast<bool>(finish(in(patience), [&](auto handler) {
+      stream.async_write(asio::const_buffer(message.data(), message.size()), handler);
+    }));
+    return !over;
   }
 
   void take_small_messages_at_once() {
@@ -123,12 +130,14 @@ Result<std::unique_ptr<WebSocket>> WebSocket::connect(const std::string& host, u
 
 bool WebSocket::send(std::string_view message, double patience) {
   Connection& c = *connection_;
-  if (c.over) return false;
-  const beast::error_code error = c.finish(in(patience), [&](auto handler) {
-    c.stream.async_write(asio::const_buffer(message.data(), message.size()), handler);
-  });
-  if (error) c.over = true;
-  return !error;
+  c.stream.text(true);
+  return c.write(message, patience);
+}
+
+bool WebSocket::send_bytes(std::string_view message, double patience) {
+  Connection& c = *connection_;
+  c.stream.binary(true);
+  return c.write(message, patience);
 }
 
 WebSocket::Received WebSocket::receive(std::string& message, double patience) {

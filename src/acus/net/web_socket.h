@@ -21,6 +21,8 @@ class WebSocket {
 
   // False when the message is not on its way after `patience` [s], or the connection is over: then for good.
   bool send(std::string_view message, double patience);
+  // The same for a message that is no text.
+  bool send_bytes(std::string_view message, double patience);
 
   enum class Received { message, nothing, closed };
   // Waits for a message, for `patience` [s] at most; one that is there already is taken at once.

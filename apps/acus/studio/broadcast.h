@@ -1,0 +1,61 @@
+// What an engine has said and shown, for any number of clients who come and go. The engine never waits for
+// one of them: whoever is slow misses frames.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "acus/sim/simulation.h"
+#include "acus/view/frame_bytes.h"
+
+namespace acus::app {
+
+class Broadcast {
+ public:
+  // --- by the engine's thread ---
+
+  // A new insertion: its `model` report, and everything about earlier ones is forgotten.
+  void begin(std::string model, const Simulation& simulation);
+  // A report that whoever comes later is told too.
+  void keep(std::string report);
+  // A report for those who are there now.
+  void pass(std::string report);
+  // The newest report on how the loop is doing.
+  void status(std::string report);
+  // The present moment, unless the last one was shown less than a sixtieth of a second ago, or a client is
+  // just copying it.
+  void show(const Simulation& simulation, double now);
+
+  // --- by a client's thread ---
+
+  struct Place {
+    std::uint64_t insertion = 0, report = 0, passing = 0, status = 0, frame = 0;
+  };
+  // Of a client that is new.
+  Place beginning() const;
+  // The reports since `place`, oldest first; all of the present insertion for a client that is new.
+  std::vector<std::string> reports_since(Place& place) const;
+  // Whether there is a frame since `place`, and then its bytes.
+  bool frame_since(Place& place, std::string& bytes) const;
+
+ private:
+  // Of the engine's thread.
+  view::FrameScratch scratch_;
+  std::vector<std::byte> spare_;
+  double shown_ = -1.0;  // s
+
+  mutable std::mutex mutex_;  // of the following
+  std::uint64_t insertion_ = 0;
+  std::vector<std::string> reports_;  // of this insertion
+  std::deque<std::string> passing_;   // the last few
+  std::uint64_t passed_ = 0;          // how many there were
+  std::string status_;
+  std::uint64_t status_number_ = 0;
+  std::vector<std::byte> frame_;
+  std::uint64_t frame_number_ = 0;
+};
+
+}  // namespace acus::app

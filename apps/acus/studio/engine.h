@@ -1,0 +1,40 @@
+// What is behind a studio server: an insertion that pages lead by hand, or one that a device leads.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "acus/haptics/backends.h"
+#include "acus/haptics/haptic_loop.h"
+#include "acus/sim/scene.h"
+#include "broadcast.h"
+
+namespace acus::app {
+
+class Engine {
+ public:
+  virtual ~Engine() = default;
+  // The device's title, where there is one.
+  virtual std::optional<std::string> device() const { return std::nullopt; }
+  // A command of whoever leads; from a client's thread.
+  virtual void take(const std::string& command) = 0;
+  // Nobody leads any more; from any thread.
+  virtual void let_go() = 0;
+  // Until `stop` is true. How it went, where it did not go well.
+  virtual std::optional<Error> run(Broadcast& broadcast, const std::atomic<bool>& stop) = 0;
+};
+
+// Pages lead the hand.
+std::unique_ptr<Engine> led_engine(const Scene& scene);
+
+struct DeviceSettings {
+  double force_limit = 0.0;               // N; 0: the device's own
+  haptics::Recorder* recorder = nullptr;  // of the first insertion
+};
+// `device` leads; pages watch, arm and disarm, and choose scenes.
+std::unique_ptr<Engine> device_engine(haptics::OpenDevice device, Simulation first,
+                                      const DeviceSettings& settings);
+
+}  // namespace acus::app

@@ -15,10 +15,9 @@ function(acus_embed_studio target)
     math(EXPR number "${number} + 1")
   endforeach()
   set(source ${CMAKE_CURRENT_BINARY_DIR}/studio_file_table.cpp)
-  set(text "#include \"studio/studio_file_table.h\"\n\n#include <vector>\n\n${assembly}\nextern \"C\" {\n${declarations}}\n\n"
+  string(CONCAT text "#include \"studio/studio_file_table.h\"\n\n#include <vector>\n\n${assembly}\nextern \"C\" {\n${declarations}}\n\n"
     "std::span<const acus::app::EmbeddedFile> acus::app::embedded_files() {\n"
     "  static const std::vector<EmbeddedFile> files = {\n${rows}  };\n  return files;\n}\n")
-  list(JOIN text "" text)
   file(CONFIGURE OUTPUT ${source} CONTENT "${text}" @ONLY)
   list(TRANSFORM files PREPEND ${dist}/)
   set_source_files_properties(${source} PROPERTIES OBJECT_DEPENDS "${files}" SKIP_PRECOMPILE_HEADERS ON)

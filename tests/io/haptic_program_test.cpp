@@ -21,8 +21,9 @@ TEST(HapticProgram, lists_devices_with_what_is_missing_and_what_they_were_tested
 
 TEST(HapticProgram, serves_a_scene_under_a_simulated_hand_and_says_how_it_went) {
   const std::string folder = fresh_folder("serve");
-  const ProgramRun run = run_program(
-      {"serve", ACUS_SOURCE_DIR "/scenes/bare_column.toml", "--seconds", "1", "--force-limit", "2"}, folder);
+  const ProgramRun run = run_program({"serve", ACUS_SOURCE_DIR "/scenes/bare_column.toml", "--device",
+                                      "simulated", "--port", "0", "--seconds", "1", "--force-limit", "2"},
+                                     folder);
   EXPECT_EQ(run.exit_code, 0) << run.err;
   for (const char* said : {"not a medical device", "Ticks", "Load", "Gate"})
     EXPECT_NE(run.out.find(said), std::string::npos) << said << run.out;
@@ -58,10 +59,10 @@ TEST(HapticProgram, records_a_hand_at_the_end_of_a_wire_and_replays_it_to_the_sa
   {
     const EmulatedService service("--service 3.1 --speed 20 --way 30 --seconds 5");
     ASSERT_FALSE(service.port().empty());
-    const ProgramRun served =
-        run_program({"serve", ACUS_SOURCE_DIR "/scenes/bare_column.toml", "--device",
-                     "haply:" + service.port(), "--seconds", "3", "--record", "hand.acusrec"},
-                    folder);
+    const ProgramRun served = run_program(
+        {"serve", ACUS_SOURCE_DIR "/scenes/bare_column.toml", "--device", "haply:" + service.port(), "--port",
+         "0", "--seconds", "3", "--port", "0", "--record", "hand.acusrec"},
+        folder);
     EXPECT_EQ(served.exit_code, 0) << served.err;
     EXPECT_NE(served.out.find("Haply Inverse3 (tested against an emulator only)"), std::string::npos)
         << served.out;
@@ -70,7 +71,7 @@ TEST(HapticProgram, records_a_hand_at_the_end_of_a_wire_and_replays_it_to_the_sa
   EXPECT_EQ(replayed.exit_code, 0) << replayed.err;
   EXPECT_NE(replayed.out.find("The same bits"), std::string::npos) << replayed.out;
   const ProgramRun again = run_program({"serve", ACUS_SOURCE_DIR "/scenes/bare_column.toml", "--device",
-                                        "recorded:hand.acusrec", "--seconds", "1"},
+                                        "recorded:hand.acusrec", "--port", "0", "--seconds", "1"},
                                        folder);
   EXPECT_EQ(again.exit_code, 0) << again.err;
   std::filesystem::remove_all(folder);
@@ -80,7 +81,7 @@ TEST(HapticProgram, says_that_a_device_was_lost) {
   const std::string folder = fresh_folder("lost");
   const EmulatedService service("--fault unplugged@0.5:60 --seconds 4");
   const ProgramRun served = run_program({"serve", ACUS_SOURCE_DIR "/scenes/bare_column.toml", "--device",
-                                         "haply:" + service.port(), "--seconds", "20"},
+                                         "haply:" + service.port(), "--port", "0", "--seconds", "20"},
                                         folder);
   EXPECT_EQ(served.exit_code, 1);
   EXPECT_NE(served.err.find("the device was lost"), std::string::npos) << served.err;

@@ -69,8 +69,7 @@ std::optional<Error> StudioServer::run(const std::atomic<bool>& stop) {
 net::WebAnswer StudioServer::answer(const net::WebRequest& request) const {
   if (!net::names_us(request, static_cast<unsigned short>(port_)))
     return {421, {}, "this server has another name\n"};
-  if (request.method != "GET")
-    return {405, {}, "there is nothing to do here but look\n"};
+  if (request.method != "GET") return {405, {}, "there is nothing to do here but look\n"};
   const std::string path = request.target.substr(0, request.target.find_first_of("?#"));
   const auto file = studio_file(path == "/" ? "/index.html" : path);
   if (!file) return {404, {}, "there is no such file here\n"};

@@ -110,7 +110,8 @@ WebSocket::~WebSocket() {
 }
 
 Result<std::unique_ptr<WebSocket>> WebSocket::connect(const std::string& host, unsigned short port,
-                                                      double patience) {
+                                                      double patience, const std::string& target,
+                                                      const std::string& origin) {
   const Clock::time_point deadline = in(patience);
   const std::string where = host + ":" + std::to_string(port);
   auto connection = std::make_unique<Connection>();
@@ -123,7 +124,10 @@ Result<std::unique_ptr<WebSocket>> WebSocket::connect(const std::string& host, u
   });
   if (error) return Error{"nobody answers at " + where + " (" + error.message() + ")"};
   c.take_small_messages_at_once();
-  error = c.finish(deadline, [&](auto handler) { c.stream.async_handshake(where, "/", handler); });
+  c.stream.set_option(websocket::stream_base::decorator([&origin](websocket::request_type& request) {
+    if (!origin.empty()) request.set(http::field::origin, origin);
+  }));
+  error = c.finish(deadline, [&](auto handler) { c.stream.async_handshake(where, target, handler); });
   if (error) return Error{"what answers at " + where + " speaks no WebSocket (" + error.message() + ")"};
   return std::unique_ptr<WebSocket>(new WebSocket(std::move(connection)));
 }

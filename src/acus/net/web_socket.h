@@ -14,9 +14,11 @@ namespace acus::net {
 // One end of a connection; for one thread.
 class WebSocket {
  public:
-  // To a server. `patience` [s] is for the whole of it. An error says in one sentence who does not answer.
+  // To a server; `origin` as a browser names the page that asks, none where it is empty. `patience` [s] is
+  // for the whole of it. An error says in one sentence who does not answer.
   static Result<std::unique_ptr<WebSocket>> connect(const std::string& host, unsigned short port,
-                                                    double patience);
+                                                    double patience, const std::string& target = "/",
+                                                    const std::string& origin = "");
   ~WebSocket();  // says goodbye, without waiting for an answer
 
   // False when the message is not on its way after `patience` [s], or the connection is over: then for good.

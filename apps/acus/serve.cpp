@@ -35,6 +35,13 @@ int do_serve(const ServeOptions& options) {
       std::printf("Force off: %s. A button of the device arms it again.\n", haptics::in_words(fault).c_str());
     std::fflush(stdout);
   };
+  settings.watch = [told = false](const Simulation& now, const haptics::LoopStatus&) mutable {
+    if (told || now.frame().health == Health::good) return;
+    told = true;
+    std::printf("The simulation failed, and the force goes: %s. Ctrl-C ends it.\n",
+                complaint(now.frame().health));
+    std::fflush(stdout);
+  };
   std::printf(
       "Research and training simulator, not a medical device.\n"
       "%s (%s) shows the needle now; it is felt from 5 mm ahead of where the handle is when it becomes "

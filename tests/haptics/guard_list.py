@@ -96,6 +96,7 @@ LOOP = [
     ("dead simulation: its word is let grow old", [("if (simulation.frame().health == Health::good) {\n        word", "{\n        word"), ("hand.our_time >= 0.0 && simulation.frame().health == Health::good", "hand.our_time >= 0.0")]),
     ("a fault lasts until a button is pressed", [("if ((state.buttons & ~buttons_) != 0) servo_.rearm();", "servo_.rearm();")]),
     ("a button that stays down rearms once", [("(state.buttons & ~buttons_) != 0", "state.buttons != 0")]),
+    ("no force while it is not wanted, or the needle stands still", [("if (control_ != nullptr) state.ready = state.ready && control_->armed && !control_->paused;", "")]),
     ("the end lets go", [("if (stop_.load(std::memory_order_relaxed)) servo_.let_go();", "")]),
     ("the end waits for the force to be gone", [("&& wrench.force.isZero() && wrench.torque.isZero())", ")")]),
 ]

@@ -187,7 +187,7 @@ std::optional<Error> VrpnDevice::take() {
 std::optional<Error> VrpnDevice::serve(Tick& tick, const std::atomic<bool>& stop) {
   tick_ = &tick;
   heard_ = monotonic_time();
-  const std::optional<Error> lost = run(stop);
+  std::optional<Error> lost = run(stop);
   tick_ = nullptr;
   let_go();
   return lost;

@@ -31,6 +31,12 @@ class Driven {
     for (int i = 0; i < ticks; ++i) last = ask(force);
     return last;
   }
+  // In how many ticks a fault comes; 20 s at most.
+  int ask_until_fault(double force) {
+    int ticks = 0;
+    for (; gate.fault() == GateFault::none && ticks < 20000; ++ticks) ask(force);
+    return ticks;
+  }
   // Through the quiet ticks and the whole ramp.
   Driven& armed() {
     ask_for(600, 0.0);

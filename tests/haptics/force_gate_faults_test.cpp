@@ -66,7 +66,7 @@ TEST(ForceGate, begins_from_nothing_whenever_it_is_rearmed) {
   ramping.ask_for(4, 0.0);
   EXPECT_NEAR(ramping.ask(0.1), 0.1 / 500.0, 1e-12);
   fading.armed();
-  while (fading.gate.fault() == GateFault::none) fading.ask(1.5);
+  fading.ask_until_fault(1.5);
   fading.ask_for(100, 1.5);
   fading.gate.rearm();
   for (double expected : {0.3485, 0.0}) EXPECT_NEAR(fading.ask(1.5), expected, 1e-9);  // falls by 1 N
@@ -175,8 +175,7 @@ TEST(ForceGate, measures_speed_in_all_directions) {
 TEST(ForceGate, ramps_down_over_a_second_when_the_mean_of_ten_seconds_is_too_high) {
   Driven d({8.5, 1.0, 0.0});
   d.armed();
-  int ticks = 0;
-  while (d.gate.fault() == GateFault::none && ticks < 20000) d.ask(1.5), ++ticks;
+  const int ticks = d.ask_until_fault(1.5);
   EXPECT_EQ(d.gate.fault(), GateFault::overheated);
   EXPECT_NEAR(ticks, 10.0 / 1.5 * 1000, 5);
   EXPECT_NEAR(d.ask_for(499, 1.5), 0.75, 1e-9);  // half of the second has gone
@@ -214,15 +213,14 @@ TEST(ForceGate, still_counts_after_many_times_ten_seconds) {
   Driven d({8.5, 1.0, 0.0});
   d.armed();
   d.ask_for(45000, 0.9);
-  int ticks = 0;
-  while (d.gate.fault() == GateFault::none && ticks < 20000) d.ask(1.9), ++ticks;
+  const int ticks = d.ask_until_fault(1.9);
   EXPECT_NEAR(ticks, 1000, 110);  // each tick adds 1 mN s to the 9 N s that are there
 }
 
 TEST(ForceGate, stays_off_while_it_is_still_too_hot) {
   Driven d({8.5, 1.0, 0.0});
   d.armed();
-  while (d.gate.fault() == GateFault::none) d.ask(3.0);
+  d.ask_until_fault(3.0);
   d.ask_for(1100, 0.0);
   d.gate.rearm();
   d.ask_for(1000, 0.0);
@@ -234,8 +232,9 @@ TEST(ForceGate, stays_off_while_it_is_still_too_hot) {
 TEST(ForceGate, follows_the_faster_of_two_faults_and_tells_the_first) {
   Driven d({8.5, 1.0, 0.0});
   d.armed();
-  while (d.gate.fault() == GateFault::none) d.ask(1.5);
+  d.ask_until_fault(1.5);
   d.ask(1.5, 0.0, 1.3);
+  EXPECT_EQ(d.gate.fault(), GateFault::overheated);
   d.ask(1.5);
   EXPECT_EQ(d.ask(1.5), 0.0);
   EXPECT_EQ(d.gate.fault(), GateFault::overheated);

@@ -116,9 +116,25 @@ TEST(ForceGate, clamps_the_norm_and_keeps_the_direction) {
 
 TEST(ForceGate, gives_nothing_where_a_limit_is_no_limit) {
   for (double bad : {0.0, -1.0, nan, infinity}) {
-    Driven d({bad, 1.0, 1.0});
+    Driven d({bad, 1.0, 1.0}), hot({5.0, bad, 1.0});
     for (int i = 0; i < 700; ++i) ASSERT_EQ(d.ask(i < 10 ? 0.0 : 1.0), 0.0) << bad;
+    hot.armed().ask_for(2, 1.0);  // the first force is too much for it
+    EXPECT_EQ(hot.gate.fault(), GateFault::overheated) << bad;
+    ForceGate straight({5.0, 5.0, bad});
+    for (int i = 0; i < 700; ++i)
+      ASSERT_EQ(straight.pass({{}, x(i < 10 ? 0.0 : 0.1), {}, 0.0, 1e-3}).torque[0], 0.0) << bad;
   }
+}
+
+// The largest numbers have a norm that is none, and a direction all the same.
+TEST(ForceGate, keeps_the_direction_of_a_force_whose_norm_is_no_number) {
+  constexpr double most = std::numeric_limits<double>::max();
+  Driven d({2.0, 2.0, 0.0});
+  d.armed();
+  Triple last{};
+  for (int i = 0; i < 10; ++i) last = d.ask({most, -most, 0.0});
+  EXPECT_NEAR(last[0], std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(last[1], -std::sqrt(2.0), 1e-12);
 }
 
 TEST(ForceGate, treats_all_three_directions_alike) {

@@ -6,9 +6,10 @@ Exit code 1 when fewer than 95 % of the mutants are killed, or when one survives
 """
 import os
 import re
-import subprocess
 import sys
 import tempfile
+
+from broken_code import build, goes_red
 
 SWAPS = [
     (r"<=", "<"), (r"(?<![<=>-])<(?![<=])", "<="), (r">=", ">"), (r"(?<![->])>(?![>=])", ">="),
@@ -43,17 +44,8 @@ def mutants(text):
 
 def killed(text, source_dir, tests, scratch):
     """True, False, or None where the mutant does not compile."""
-    path = os.path.join(scratch, "force_gate.cpp")
-    program = os.path.join(scratch, "mutant")
-    with open(path, "w") as file:
-        file.write(text)
-    build = ["g++", "-std=c++20", "-O1", "-w", f"-I{source_dir}/src", path, *tests, "-lgtest", "-lgtest_main", "-lpthread", "-o", program]
-    if subprocess.run(build, capture_output=True).returncode != 0:
-        return None
-    try:
-        return subprocess.run([program, "--gtest_fail_fast", "--gtest_brief=1"], capture_output=True, timeout=20).returncode != 0
-    except subprocess.TimeoutExpired:
-        return True
+    program = build(text, "force_gate.cpp", source_dir, tests, scratch)
+    return program and goes_red(program)
 
 
 def main():

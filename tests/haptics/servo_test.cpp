@@ -8,48 +8,11 @@
 #include <limits>
 #include <random>
 
+#include "armed_servo.h"
 #include "many_ticks.h"
 
 namespace acus::haptics {
 namespace {
-
-DeviceLimits touch() { return *find_device_limits("touch"); }
-
-// A servo that has been armed by a quiet simulation, device at rest, and whose hand has done 5 mJ of work
-// that may come back.
-class Armed {
- public:
-  explicit Armed(const DeviceLimits& limits = touch())
-      : servo({limits, 0.0, -1e-3, 1e-3}), forward_(limits.forward) {
-    for (int i = 0; i < 600; ++i) tick(0.0, fresh(-1e-3, 0.0, 0.0));
-    EXPECT_EQ(servo.gate().state(), GateState::armed);
-    for (int i = 0; i <= 100; ++i) tick(50e-6 * i, fresh(-1e-3, 1.0, 0.0));
-    for (int i = 0; i <= 100; ++i) tick(5e-3 - 50e-6 * i, fresh(-1e-3, 0.0, 0.0));
-  }
-  LocalForce fresh(double travel, double force, double stiffness, long events = 0) const {
-    LocalForce word{time_, travel, force, stiffness, 10e-3, events};
-    word.stored = 1.0;
-    return word;
-  }
-  // Force along the needle that the device shows `way` [m] ahead of its start, positive against the hand. N
-  double tick(double way, const LocalForce& local, const Vec3& across = Vec3::Zero()) {
-    DeviceState state;
-    state.time = time_;
-    state.position = Vec3(0.03, -0.01, 0.02) + way * forward_ + across;
-    state.ready = ready;
-    time_ += 1e-3;
-    last = servo.tick(state, local).force;
-    return -forward_.dot(last);
-  }
-
-  Servo servo;
-  Vec3 last = Vec3::Zero();
-  bool ready = true;
-
- private:
-  Vec3 forward_;
-  double time_ = 0.0;
-};
 
 // --- coupling
 
@@ -307,17 +270,19 @@ TEST(Servo, lets_go_by_the_slew) {
   EXPECT_EQ(loop.tick(1e-3, loop.fresh(0.0, 2.5, 0.0)), 0.0);
 }
 
-TEST(Servo, obeys_the_persons_own_limit) {
-  Servo servo({touch(), 0.5, 0.0, 1e-3});
-  DeviceState state;
-  state.ready = true;
-  double force = 0.0;
-  for (int i = 0; i < 900; ++i) {
-    state.time = i * 1e-3;
-    state.position = Vec3(0.0, 0.0, -0.1e-3 * std::max(i - 600, 0));
-    force = servo.tick(state, {state.time, 0.0, 0.0, 1e4, 1.0}).force.norm();
+TEST(Servo, obeys_the_smaller_of_the_persons_limit_and_the_devices) {
+  for (double limit : {0.5, 100.0}) {
+    Servo servo({touch(), limit, 0.0, 1e-3});
+    DeviceState state;
+    state.ready = true;
+    double force = 0.0;
+    for (int i = 0; i < 900; ++i) {
+      state.time = i * 1e-3;
+      state.position = Vec3(0.0, 0.0, -0.1e-3 * std::max(i - 600, 0));
+      force = servo.tick(state, {state.time, 0.0, 0.0, 1e4, 1.0}).force.norm();
+    }
+    EXPECT_NEAR(force, std::min(limit, touch().peak_force), 1e-12);
   }
-  EXPECT_NEAR(force, 0.5, 1e-12);
 }
 
 }  // namespace

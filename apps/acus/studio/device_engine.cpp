@@ -1,6 +1,6 @@
 // An insertion that a haptic device leads. Pages watch it, arm and disarm the force, and choose other scenes.
 #include <mutex>
-#include <thread>
+#include <utility>
 
 #include "acus/haptics/pace.h"
 #include "acus/haptics/virtual_coupling.h"
@@ -68,7 +68,11 @@ class DeviceEngine final : public Engine {
                                                                   .c_str());
       std::fflush(stdout);
     };
+    bool told_failure = false;
     settings.watch = [&](const Simulation& now, const haptics::LoopStatus& loop) {
+      if (now.frame().health != Health::good && !std::exchange(told_failure, true))
+        broadcast.keep(view::failed_report("the simulation failed, and the force goes: " +
+                                           std::string(complaint(now.frame().health))));
       if (stop || again_) over = true;
       for (const auto events = now.events(); told < events.size(); ++told)
         broadcast.keep(view::event_report(events[told]));

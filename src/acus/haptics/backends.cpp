@@ -7,6 +7,7 @@
 #include "acus/haptics/openhaptics.h"
 #include "acus/haptics/recorded_device.h"
 #include "acus/haptics/simulated_device.h"
+#include "acus/haptics/vrpn_device.h"
 #include "acus/io/spelling.h"
 
 namespace acus::haptics {
@@ -23,6 +24,7 @@ std::span<const Backend> backends() {
        open_openhaptics},
       {"force_dimension", "Force Dimension omega and its sisters", emulator_only, force_dimension_missing,
        open_force_dimension},
+      {"vrpn", "a device behind a VRPN server, vrpn:NAME@HOST", emulator_only, vrpn_missing, open_vrpn},
   };
   return all;
 }

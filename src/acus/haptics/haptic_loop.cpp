@@ -1,5 +1,7 @@
 #include "acus/haptics/haptic_loop.h"
 
+#include <pthread.h>
+
 #include <thread>
 #include <utility>
 
@@ -105,6 +107,7 @@ class LoopTick final : public Tick {
 // The simulation's thread: a step for each time step of the wall clock.
 void simulate(Exchange& exchange, Simulation& simulation, LoopReport& report, const LoopSettings& settings,
               const std::atomic<bool>& stop) {
+  pthread_setname_np(pthread_self(), needle_thread);
   HubSimulation needle(simulation);
   Pace pace(simulation.scene().run.time_step);
   GateFault told = GateFault::none;

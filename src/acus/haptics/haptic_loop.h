@@ -12,6 +12,8 @@
 
 namespace acus::haptics {
 
+inline constexpr const char* needle_thread = "acus-needle";  // as `top -H` and `htop` show it
+
 // How the loop is doing, for whoever watches.
 struct LoopStatus {
   double load = 0.0;  // of the last step: its time on the wall / its time step
@@ -48,7 +50,8 @@ struct LoopOutcome {
 
 // Runs until `stop` is true and the force has fallen to nothing, or the device is lost. A button of the
 // device arms the gate again after a fault. The scene of `simulation` is held_by() the device. The simulation
-// runs at its own time step by the wall clock, or as fast as it can where it is slower than that.
+// runs at its own time step by the wall clock, or as fast as it can where it is slower than that, on a thread
+// called needle_thread.
 LoopOutcome run_loop(Device& device, Simulation& simulation, const LoopSettings& settings,
                      const std::atomic<bool>& stop);
 

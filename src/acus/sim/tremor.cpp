@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "acus/base/hash.h"
+#include "acus/numeric/circular.h"
 
 namespace acus {
 namespace {
@@ -32,7 +33,7 @@ double tremor(double rms, int seed, double time) {
   if (rms == 0.0) return 0.0;
   double sum = 0.0;
   for (int i = 0; i < static_cast<int>(frequencies.size()); ++i)
-    sum += std::sin(turn * (frequencies[static_cast<std::size_t>(i)] * time + phase(seed, i)));
+    sum += numeric::sin(turn * (frequencies[static_cast<std::size_t>(i)] * time + phase(seed, i)));
   return amplitude(rms) * std::min(time / grown_after, 1.0) * sum;
 }
 

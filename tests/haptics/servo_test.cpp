@@ -15,16 +15,16 @@ namespace {
 
 DeviceLimits touch() { return *find_device_limits("touch"); }
 
-// A servo that has been armed by a quiet simulation, device at rest, and whose hand has done 5 mJ of work
-// that may come back.
+// A servo that has been armed by a quiet simulation, device at rest, and whose hand has done 10 mJ of work
+// that may come back: what it takes to stretch the coupling by 7 mm, and to feel 2.8 N.
 class Armed {
  public:
   explicit Armed(const DeviceLimits& limits = touch())
       : servo({limits, 0.0, -1e-3, 1e-3}), forward_(limits.forward) {
     for (int i = 0; i < 600; ++i) tick(0.0, fresh(-1e-3, 0.0, 0.0));
     EXPECT_EQ(servo.gate().state(), GateState::armed);
-    for (int i = 0; i <= 100; ++i) tick(50e-6 * i, fresh(-1e-3, 1.0, 0.0));
-    for (int i = 0; i <= 100; ++i) tick(5e-3 - 50e-6 * i, fresh(-1e-3, 0.0, 0.0));
+    for (int i = 0; i <= 100; ++i) tick(70e-6 * i, fresh(-1e-3, 3.0, 0.0));
+    for (int i = 0; i <= 100; ++i) tick(7e-3 - 70e-6 * i, fresh(-1e-3, 0.0, 0.0));
   }
   LocalForce fresh(double travel, double force, double stiffness, long events = 0) const {
     LocalForce word{time_, travel, force, stiffness, 10e-3, events};
@@ -36,6 +36,7 @@ class Armed {
     DeviceState state;
     state.time = time_;
     state.position = Vec3(0.03, -0.01, 0.02) + way * forward_ + across;
+    state.velocity = speed * forward_;
     state.ready = ready;
     time_ += 1e-3;
     last = servo.tick(state, local).force;
@@ -45,6 +46,7 @@ class Armed {
   Servo servo;
   Vec3 last = Vec3::Zero();
   bool ready = true;
+  double speed = 0.0;  // m/s, that the device says
 
  private:
   Vec3 forward_;
@@ -132,6 +134,54 @@ TEST(Servo, lets_the_drop_of_a_puncture_through_within_two_ticks) {
   const LocalForce punctured = loop.fresh(8e-3, 0.3, 0.0, 1);
   loop.tick(10e-3, punctured);
   EXPECT_NEAR(loop.tick(10e-3, punctured), 0.3, 1e-12);
+}
+
+// What the gate holds while a word is late is the needle's force, without the answer to the one quantum that
+// the device has just gone.
+TEST(Servo, leaves_no_answer_to_a_quantum_in_a_force_that_is_held) {
+  Armed loop;
+  LocalForce word;
+  for (int i = 0; i < 50; ++i) word = loop.fresh(3e-3, 0.7, 0.0), loop.tick(5e-3, word);
+  for (int i = 0; i < 18; ++i) loop.tick(5e-3, word);
+  const double quantum = touch().quantum;
+  loop.speed = quantum / 1e-3;  // in the last tick that is followed
+  loop.tick(5e-3 + quantum, word);
+  loop.speed = 0.0;
+  double force = 0.0;
+  for (int i = 0; i < 7; ++i) force = loop.tick(5e-3 + quantum, word);
+  EXPECT_GE(loop.servo.gate().interventions().held, 5);
+  EXPECT_NEAR(force, 0.7, 1e-12);
+}
+
+// A word every 33 ms, of which the gate follows 20: the friction that a spring of 300 N/m wants then, twice
+// K h^2 / (2 f), is felt as that much of a push for a quantum's way. What it takes is not there to be given
+// back.
+TEST(Servo, answers_for_what_a_held_force_gives) {
+  Armed loop;
+  constexpr double stiffness = 300.0;
+  const double quantum = touch().quantum;
+  double push = 0.0;  // N s
+  LocalForce word;
+  for (int i = 0; i < 3 * 33 + 15; ++i) {
+    if (i % 33 == 0) word = loop.fresh(3e-3, 0.7, stiffness);
+    const double way = i > 3 * 33 ? quantum : 0.0;
+    const double beyond = loop.tick(5e-3 + way, word) - (0.7 + stiffness * (1e-3 + way));
+    if (i > 3 * 33) push += beyond * 1e-3;
+  }
+  EXPECT_NEAR(push, stiffness * std::pow(33e-3 - followed_age, 2) / followed_age * quantum, 0.05 * push);
+  const double before = loop.servo.hand().work;
+  loop.tick(5e-3 + 2.0 * quantum, word);
+  const double needle = 0.7 + stiffness * (1e-3 + quantum);
+  EXPECT_NEAR(loop.servo.hand().work - before, quantum * needle, 1e-6 * quantum * needle);
+}
+
+TEST(Servo, shows_no_more_of_the_needle_than_the_coupling_would_hold) {
+  Armed loop;
+  double force = 0.0;
+  for (int i = 0; i < 50; ++i) force = loop.tick(0.0, loop.fresh(-1e-3, 3.2, 0.0));
+  const double stiffness = loop.servo.coupling().stiffness;
+  EXPECT_NEAR(force, std::sqrt(2.0 * stiffness * loop.servo.hand().work), 1.1 * stiffness * touch().quantum);
+  EXPECT_GT(loop.servo.lowered(), 40);
 }
 
 TEST(Servo, shows_nothing_before_the_simulation_has_spoken_or_the_device_is_ready) {

@@ -9,16 +9,16 @@ namespace acus::haptics {
 
 inline DeviceLimits touch() { return *find_device_limits("touch"); }
 
-// A servo that has been armed by a quiet simulation, device at rest, and whose hand has done 5 mJ of work
-// that may come back.
+// A servo that has been armed by a quiet simulation, device at rest, and whose hand has done 10 mJ of work
+// that may come back: what it takes to stretch the coupling by 7 mm, and to feel 2.8 N.
 class Armed {
  public:
   explicit Armed(const DeviceLimits& limits = touch())
       : servo({limits, 0.0, -1e-3, 1e-3}), forward_(limits.forward) {
     for (int i = 0; i < 600; ++i) tick(0.0, fresh(-1e-3, 0.0, 0.0));
     EXPECT_EQ(servo.gate().state(), GateState::armed);
-    for (int i = 0; i <= 100; ++i) tick(50e-6 * i, fresh(-1e-3, 1.0, 0.0));
-    for (int i = 0; i <= 100; ++i) tick(5e-3 - 50e-6 * i, fresh(-1e-3, 0.0, 0.0));
+    for (int i = 0; i <= 100; ++i) tick(70e-6 * i, fresh(-1e-3, 3.0, 0.0));
+    for (int i = 0; i <= 100; ++i) tick(7e-3 - 70e-6 * i, fresh(-1e-3, 0.0, 0.0));
   }
   LocalForce fresh(double travel, double force, double stiffness, long events = 0) const {
     LocalForce word{time_, travel, force, stiffness, 10e-3, events};

@@ -12,7 +12,8 @@
 namespace acus::haptics {
 namespace {
 
-constexpr double tick = 1e-3;  // s
+constexpr double tick = 1e-3;        // s
+constexpr double stiffness = 400.0;  // N/m, of the coupling
 
 DeviceLimits some_device(double delay = 0.0) {
   DeviceLimits limits;
@@ -28,7 +29,7 @@ void push(PassivityLayer& layer, double force) {
 }
 
 TEST(PassivityLayer, counts_what_the_hand_does_to_the_device) {
-  PassivityLayer layer(some_device(), tick);
+  PassivityLayer layer(some_device(), stiffness, tick);
   push(layer, 2.0);
   EXPECT_NEAR(layer.work(), 2e-3, 1e-12);
   for (int i = 0; i < 5; ++i) layer.moved(-0.1e-3, 1.0);
@@ -37,13 +38,13 @@ TEST(PassivityLayer, counts_what_the_hand_does_to_the_device) {
 
 // An encoder shows a slow motion in one tick of many: the force of all of them counts.
 TEST(PassivityLayer, counts_the_mean_force_of_a_motion_that_shows_late) {
-  PassivityLayer layer(some_device(), tick);
+  PassivityLayer layer(some_device(), stiffness, tick);
   for (int i = 1; i <= 20; ++i) layer.moved(i % 10 == 0 ? 0.05e-3 : 0.0, i % 2 == 0 ? 1.0 : 0.0);
   EXPECT_NEAR(layer.work(), 2 * 0.05e-3 * 0.5, 1e-12);
 }
 
 TEST(PassivityLayer, counts_a_force_when_it_is_shown_and_not_when_it_is_told) {
-  PassivityLayer layer(some_device(2e-3), tick);
+  PassivityLayer layer(some_device(2e-3), stiffness, tick);
   layer.moved(0.1e-3, 1.0);
   layer.moved(0.1e-3, 0.0);
   EXPECT_EQ(layer.work(), 0.0);
@@ -52,19 +53,49 @@ TEST(PassivityLayer, counts_a_force_when_it_is_shown_and_not_when_it_is_told) {
 }
 
 TEST(PassivityLayer, allows_what_the_tank_can_pay_for) {
-  PassivityLayer layer(some_device(), tick);
+  PassivityLayer layer(some_device(), stiffness, tick);
   layer.moved(0.1e-3, 1.0);
   EXPECT_EQ(layer.ceiling(1.0), std::numeric_limits<double>::infinity());  // against the motion
   EXPECT_NEAR(layer.ceiling(-1.0), 0.1e-3 / 0.15e-3, 1e-9);  // with it: a tick's way and a quantum
   layer.moved(0.0, 1.0);
   EXPECT_NEAR(layer.ceiling(1.0), 0.1e-3 / 0.05e-3, 1e-9);  // at rest: a quantum
-  PassivityLayer empty(some_device(), tick);
+  PassivityLayer empty(some_device(), stiffness, tick);
   empty.moved(-0.1e-3, 1.0);
   EXPECT_EQ(empty.ceiling(1.0), 0.0);
 }
 
+// A tank that runs empty lets go as the coupling's spring would, and no stiffer: what the hand gets is F^2 /
+// (2 K).
+TEST(PassivityLayer, lets_go_like_a_spring_of_the_couplings_stiffness) {
+  DeviceLimits limits = some_device();
+  limits.quantum = 1e-6;  // finer than what is looked at
+  PassivityLayer layer(limits, stiffness, tick);
+  push(layer, 2.0);
+  layer.moved(0.0, 2.0);
+  const double filled = layer.work(), strongest = layer.soft_ceiling(1.0);
+  EXPECT_NEAR(strongest, std::sqrt(2.0 * stiffness * filled), 2.0 * stiffness * limits.quantum);
+  constexpr double step = 1e-6;  // m, back
+  for (int i = 1; layer.soft_ceiling(1.0) > 0.1; ++i) {
+    const double force = layer.soft_ceiling(1.0);
+    EXPECT_NEAR(force, strongest - stiffness * step * i, 0.01 * strongest);
+    EXPECT_LE(force, layer.ceiling(1.0));
+    layer.moved(-step, force);
+  }
+}
+
+// One that starts from nothing lets the force grow against the hand, or no hand would ever feel a needle.
+TEST(PassivityLayer, lets_an_empty_tank_be_filled) {
+  PassivityLayer layer(some_device(), stiffness, tick);
+  double travel = 0.0;
+  for (int i = 0; i < 100; ++i) {
+    layer.moved(0.1e-3, layer.soft_ceiling(1.0));
+    travel += 0.1e-3;
+  }
+  EXPECT_GE(layer.soft_ceiling(1.0), stiffness * travel);
+}
+
 TEST(PassivityLayer, gives_back_no_more_than_is_stored_and_forgets_that_slowly) {
-  PassivityLayer layer(some_device(), tick);
+  PassivityLayer layer(some_device(), stiffness, tick);
   push(layer, 2.0);
   layer.moved(0.0, 0.0);
   layer.compare(layer.work(), 0.0, 0.0, 0.4e-3);
@@ -78,7 +109,7 @@ TEST(PassivityLayer, gives_back_no_more_than_is_stored_and_forgets_that_slowly) 
 // The damper takes back what was given, but for the little that is forgiven meanwhile, and no faster than 5 N
 // s/m.
 TEST(PassivityLayer, takes_back_what_wrong_guesses_gave) {
-  PassivityLayer layer(some_device(), tick);
+  PassivityLayer layer(some_device(), stiffness, tick);
   for (int i = 0; i < 100; ++i) EXPECT_EQ(layer.damping_force(0.1), 0.0);  // nothing is owed
   layer.compare(0.0, 1.0e-3, 1.2e-3, 1.0);
   double taken = 0.0, largest = 0.0;
@@ -162,7 +193,7 @@ TEST(PassivityLayer, remembers_fifteen_ticks_of_a_longer_delay) {
 TEST(PassivityLayer, keeps_the_worst_guess_from_giving_energy) {
   const auto least_energy = [](bool limited, double delay) {
     const DeviceLimits limits = some_device(delay);
-    PassivityLayer layer(limits, tick);
+    PassivityLayer layer(limits, stiffness, tick);
     Handle handle(limits, {0.1, 1.0, 50.0});
     double before = 0.0, told = 0.0;
     double least = 0.0;
@@ -191,7 +222,7 @@ TEST(PassivityLayer, keeps_the_worst_guess_from_giving_energy) {
 TEST(PassivityLayer, is_not_spoilt_by_numbers_that_are_none) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (double bad : {nan, std::numeric_limits<double>::infinity(), -1e300, 1e300}) {
-    PassivityLayer layer(some_device(), tick);
+    PassivityLayer layer(some_device(), stiffness, tick);
     push(layer, 2.0);
     layer.felt(0.0, 1.0);
     layer.felt(bad, 1.0);

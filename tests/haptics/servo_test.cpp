@@ -97,6 +97,54 @@ TEST(Servo, lets_the_drop_of_a_puncture_through_within_two_ticks) {
   EXPECT_NEAR(loop.tick(10e-3, punctured), 0.3, 1e-12);
 }
 
+// What the gate holds while a word is late is the needle's force, without the answer to the one quantum that
+// the device has just gone.
+TEST(Servo, leaves_no_answer_to_a_quantum_in_a_force_that_is_held) {
+  Armed loop;
+  LocalForce word;
+  for (int i = 0; i < 50; ++i) word = loop.fresh(3e-3, 0.7, 0.0), loop.tick(5e-3, word);
+  for (int i = 0; i < 18; ++i) loop.tick(5e-3, word);
+  const double quantum = touch().quantum;
+  loop.velocity = quantum / 1e-3 * touch().forward;  // in the last tick that is followed
+  loop.tick(5e-3 + quantum, word);
+  loop.velocity.setZero();
+  double force = 0.0;
+  for (int i = 0; i < 7; ++i) force = loop.tick(5e-3 + quantum, word);
+  EXPECT_GE(loop.servo.gate().interventions().held, 5);
+  EXPECT_NEAR(force, 0.7, 1e-12);
+}
+
+// A word every 33 ms, of which the gate follows 20: the friction that a spring of 300 N/m wants then, twice
+// K h^2 / (2 f), is felt as that much of a push for a quantum's way. What it takes is not there to be given
+// back.
+TEST(Servo, answers_for_what_a_held_force_gives) {
+  Armed loop;
+  constexpr double stiffness = 300.0;
+  const double quantum = touch().quantum;
+  double push = 0.0;  // N s
+  LocalForce word;
+  for (int i = 0; i < 3 * 33 + 15; ++i) {
+    if (i % 33 == 0) word = loop.fresh(3e-3, 0.7, stiffness);
+    const double way = i > 3 * 33 ? quantum : 0.0;
+    const double beyond = loop.tick(5e-3 + way, word) - (0.7 + stiffness * (1e-3 + way));
+    if (i > 3 * 33) push += beyond * 1e-3;
+  }
+  EXPECT_NEAR(push, stiffness * std::pow(33e-3 - followed_age, 2) / followed_age * quantum, 0.05 * push);
+  const double before = loop.servo.hand().work;
+  loop.tick(5e-3 + 2.0 * quantum, word);
+  const double needle = 0.7 + stiffness * (1e-3 + quantum);
+  EXPECT_NEAR(loop.servo.hand().work - before, quantum * needle, 1e-6 * quantum * needle);
+}
+
+TEST(Servo, shows_no_more_of_the_needle_than_the_coupling_would_hold) {
+  Armed loop;
+  double force = 0.0;
+  for (int i = 0; i < 50; ++i) force = loop.tick(0.0, loop.fresh(-1e-3, 3.2, 0.0));
+  const double stiffness = loop.servo.coupling().stiffness;
+  EXPECT_NEAR(force, std::sqrt(2.0 * stiffness * loop.servo.hand().work), 1.1 * stiffness * touch().quantum);
+  EXPECT_GT(loop.servo.lowered(), 40);
+}
+
 TEST(Servo, shows_nothing_before_the_simulation_has_spoken_or_the_device_is_ready) {
   Servo servo({touch(), 0.0, 0.0, 1e-3});
   DeviceState state;

@@ -72,6 +72,8 @@ class Swing {
 inline Finding run(const Trial& trial) {
   constexpr double tick = 1e-3;    // s
   constexpr double start = -5e-3;  // m, before first touch
+  constexpr double late = 0.5;     // s, in which a swing is looked for,
+  constexpr double early = 1.0;    // s, before that: longer than a hand's own swing takes
   const double period = trial.period > 0.0 ? trial.period : trial.scene.run.time_step;
   Result<Simulation> simulation = Simulation::build(held_by(trial.device, trial.scene));
   std::optional<HubSimulation> needle(std::in_place, *simulation);
@@ -137,14 +139,14 @@ inline Finding run(const Trial& trial) {
     found.least_port_energy = std::min(found.least_port_energy, handle.port_energy());
     found.top_speed = std::max(found.top_speed, handle.velocity().norm());
     found.largest_travel = std::max(found.largest_travel, simulation->frame().hand_travel);
-    if (now > trial.duration - 0.5)
+    if (now > trial.duration - late)
       swing.add(forward.dot(handle.position()));
-    else if (now > trial.duration - 1.0)
+    else if (now > trial.duration - late - early)
       early_swing.add(forward.dot(handle.position()));
     if (now > trial.duration - 0.1) force_sum += out.force.norm(), ++force_count;
   }
   // A hand's own swing dies away; one that is fed does not.
-  found.limit_cycle = swing.size() < 0.7 * early_swing.size() ? 0.0 : swing.size();
+  found.limit_cycle = swing.size() < 0.5 * early_swing.size() ? 0.0 : swing.size();
   found.last_force = force_count > 0 ? force_sum / static_cast<double>(force_count) : 0.0;
   found.fault = servo.gate().fault();
   found.interventions = servo.gate().interventions();

@@ -13,9 +13,10 @@ constexpr double top_speed = 2.0;          // m/s
 
 }  // namespace
 
-PassivityLayer::PassivityLayer(const DeviceLimits& limits, double period)
+PassivityLayer::PassivityLayer(const DeviceLimits& limits, double stiffness, double period)
     : period_(period),
       quantum_(limits.quantum),
+      stiffness_(stiffness),
       delay_time_(limits.delay),
       delay_(std::min(static_cast<std::size_t>(std::lround(limits.delay / period)), most_on_the_way - 1)) {}
 
@@ -65,13 +66,25 @@ double PassivityLayer::damping_force(double speed) noexcept {
   return share * damping * speed_;
 }
 
+// J, in the tank.
+double PassivityLayer::left() const noexcept { return std::max(work_ - lost_, 0.0); }
+
+// m, that the device may go with such a force until another can take its place, and what a quantum hides of
+// it; negative where it went against the force.
+double PassivityLayer::way_with(double force) const noexcept {
+  const double with = force > 0.0 ? -step_ : step_;  // m, in the last tick
+  return with < 0.0 ? with : with * (1.0 + delay_time_ / period_) + quantum_;
+}
+
 double PassivityLayer::ceiling(double force) const noexcept {
-  const double with =
-      force > 0.0 ? -step_ : step_;  // m, that the device went with such a force in the last tick
-  // What it may go until another force can take its place, and what a quantum hides of it.
-  const double way = with * (1.0 + delay_time_ / period_) + quantum_;
-  if (with < 0.0 || !(way > 0.0)) return std::numeric_limits<double>::infinity();
-  return std::max(work_ - lost_, 0.0) / way;
+  const double way = way_with(force);
+  return way > 0.0 ? left() / way : std::numeric_limits<double>::infinity();
+}
+
+// F^2 / (2 K) + F way = left.
+double PassivityLayer::soft_ceiling(double force) const noexcept {
+  const double push = stiffness_ * way_with(force);
+  return std::sqrt(push * push + 2.0 * stiffness_ * left()) - push;
 }
 
 }  // namespace acus::haptics

@@ -5,7 +5,8 @@
 // and a force that goes with the motion draws from it; an empty tank gives no more. A tank filled by an hour
 // of friction would feed a swing for long. But needle, tissue and grip only give back what they have stored,
 // and each word of the simulation says how much that is: what is above it leaves the tank, and comes back
-// slowly.
+// slowly. A tank that runs empty lets go as a spring of the coupling's stiffness does; a force that were
+// there on the way in and not on the way out would chatter.
 //
 // A damper takes back at once what wrong guesses gave (reference energy following: Ryu, Preusche, Hannaford
 // and Hirzinger, IEEE T-CST 13(3), 2005): where the felt force asked less work of the hand than the needle
@@ -26,8 +27,8 @@ inline constexpr double longest_step = 10e-3;
 
 class PassivityLayer {
  public:
-  // `period` > 0 [s] is a tick's.
-  PassivityLayer(const DeviceLimits& limits, double period);
+  // `stiffness` [N/m] is the coupling's; `period` > 0 [s] is a tick's.
+  PassivityLayer(const DeviceLimits& limits, double stiffness, double period);
 
   // Once a tick, before all else: the device has moved by `step` [m] since the last one, in which it was told
   // to show `told` [N]. What it shows comes later by the device's delay.
@@ -51,13 +52,20 @@ class PassivityLayer {
   // motion. A device at rest may have moved by less than a quantum, so there the tank counts too.
   double ceiling(double force) const noexcept;
 
+  // The same for the needle's part of it, and never above: a force that stretches the coupling by what is
+  // left in the tank. What damps comes on top. N
+  double soft_ceiling(double force) const noexcept;
+
  private:
   static constexpr std::size_t most_on_the_way = 16;
 
-  double period_, quantum_;  // s, m
-  double delay_time_;        // s
-  std::size_t delay_;        // whole ticks
-  double step_ = 0.0;        // m, of the last tick
+  double left() const noexcept;
+  double way_with(double force) const noexcept;
+
+  double period_, quantum_, stiffness_;  // s, m, N/m
+  double delay_time_;                    // s
+  std::size_t delay_;                    // whole ticks
+  double step_ = 0.0;                    // m, of the last tick
   std::array<double, most_on_the_way> told_{};
   std::size_t newest_ = 0;
   double shown_sum_ = 0.0;  // N, since the device was last seen to move

@@ -5,6 +5,7 @@
 
 #include "acus/haptics/device.h"
 #include "acus/haptics/force_gate.h"
+#include "acus/haptics/hold_damper.h"
 #include "acus/haptics/local_force.h"
 #include "acus/haptics/passivity_layer.h"
 #include "acus/haptics/virtual_coupling.h"
@@ -39,12 +40,15 @@ class Servo {
  private:
   void place(const DeviceState& device) noexcept;
   double across(const Vec3& force) const noexcept;
+  double felt_along(double needle, double drag, double step, double speed, double age) noexcept;
   LocalForce blended(LocalForce local, double now) noexcept;
 
   VirtualCoupling coupling_;
   ForceGate gate_;
   PassivityLayer passivity_;
-  double period_;  // s
+  HoldDamper hold_damper_;
+  double answered_ = 0.0;  // N, of the shown force, by the damper of the hold: what it takes is not stored
+  double period_;          // s
   Vec3 forward_;
   double start_travel_;
   double hand_travel_;

@@ -101,12 +101,14 @@ LOOP = [
     ("the end waits for the force to be gone", [("&& wrench.force.isZero() && wrench.torque.isZero())", ")")]),
 ]
 
-# Source file, how it is called in the table, its guards, and the tests that are asked: those by the wall clock only
-# about the loop, whose guards no other test knows.
+# Source file, how it is called in the table, its guards, the tests that are asked, and in how many runs in a row one must
+# fail: those by the wall clock fail now and then where others share the processor. They are asked about the loop alone,
+# whose guards no other test knows.
 IN_VIRTUAL_TIME = "ForceGate.*:Servo.*:PassivityLayer.*"
+OF_THE_LOOP = ":".join("HapticLoop." + test for test in ["ends*", "keeps*", "lets_go*", "takes*"]) + ":StoppedSimulation.*fails"
 GUARDS = [
-    ("force_gate.cpp", "The force gate", GATE, IN_VIRTUAL_TIME),
-    ("servo.cpp", "The servo", SERVO, IN_VIRTUAL_TIME),
-    ("passivity_layer.cpp", "The passivity layer", PASSIVITY, IN_VIRTUAL_TIME),
-    ("haptic_loop.cpp", "The loop", LOOP, "HapticLoop.*"),
+    ("force_gate.cpp", "The force gate", GATE, IN_VIRTUAL_TIME, 1),
+    ("servo.cpp", "The servo", SERVO, IN_VIRTUAL_TIME, 1),
+    ("passivity_layer.cpp", "The passivity layer", PASSIVITY, IN_VIRTUAL_TIME, 1),
+    ("haptic_loop.cpp", "The loop", LOOP, OF_THE_LOOP, 3),
 ]

@@ -60,47 +60,57 @@ TEST(HapticLoop, lets_the_hand_feel_the_needle_buckle) {
   EXPECT_FALSE(simulation->events().empty());
 }
 
+// Whoever shares the processor may stall a loop until the gate takes the force, before the test has begun.
+constexpr int tries = 10;
+
 // Whoever watches sees each step, may take the force away and give it back, and may halt the needle's time.
 TEST(HapticLoop, lets_go_and_stands_still_when_it_is_asked_to) {
-  const Scene scene = testing_machine();
-  Result<Simulation> simulation = Simulation::build(held_by(*find_device_limits("touch"), scene));
-  SimulatedDevice device(*find_device_limits("touch"), light_grip,
-                         [](double t) { return std::clamp(40e-3 * (t - 0.8), 0.0, 40e-3); });
-  LoopControl control;
-  LoopSettings settings;
-  settings.control = &control;
-  std::atomic<bool> stop{false};
   enum { pushing, letting_go, without, standing, done } phase = pushing;
-  long looks = 0;
-  double force_before = 0.0, time_before = 0.0, stood_at = 0.0;
-  settings.watch = [&](const Simulation& now, const LoopStatus& status) {
-    ++looks;
-    if (phase == pushing && status.device_force > 0.4) {
-      phase = letting_go;
-      control.armed = false;
-    } else if (phase == letting_go && status.device_force == 0.0) {
-      phase = without;
-      time_before = now.frame().time;
-    } else if (phase == without) {
-      EXPECT_EQ(status.device_force, 0.0);
-      EXPECT_NE(status.gate, GateState::armed);
-      force_before = std::max(force_before, now.frame().hand_force);
-      if (now.frame().time > time_before + 0.2) {
-        phase = standing;
-        control.paused = true;
-        stood_at = now.frame().time;
+  double force_before = 0.0;
+  for (int i = 0; i < tries && phase == pushing; ++i) {
+    Result<Simulation> simulation =
+        Simulation::build(held_by(*find_device_limits("touch"), testing_machine()));
+    SimulatedDevice device(*find_device_limits("touch"), light_grip,
+                           [](double t) { return std::clamp(40e-3 * (t - 0.8), 0.0, 40e-3); });
+    LoopControl control;
+    LoopSettings settings;
+    settings.control = &control;
+    std::atomic<bool> stop{false};
+    long looks = 0;
+    double time_before = 0.0, stood_at = 0.0;
+    settings.watch = [&](const Simulation& now, const LoopStatus& status) {
+      ++looks;
+      if (phase == pushing && status.device_force > 0.4) {
+        phase = letting_go;
         looks = 0;
-      }
-    } else if (phase == standing) {
-      EXPECT_EQ(now.frame().time, stood_at);
-      if (looks > 100) {
-        phase = done;
+        control.armed = false;
+      } else if (phase == pushing && status.fault != GateFault::none) {
         stop = true;
+      } else if (phase == letting_go && status.device_force == 0.0) {
+        phase = without;
+        EXPECT_LT(looks, 300);  // and not for another reason, later
+        time_before = now.frame().time;
+      } else if (phase == without) {
+        EXPECT_EQ(status.device_force, 0.0);
+        EXPECT_NE(status.gate, GateState::armed);
+        force_before = std::max(force_before, now.frame().hand_force);
+        if (now.frame().time > time_before + 0.2) {
+          phase = standing;
+          control.paused = true;
+          stood_at = now.frame().time;
+          looks = 0;
+        }
+      } else if (phase == standing) {
+        EXPECT_EQ(now.frame().time, stood_at);
+        if (looks > 100) {
+          phase = done;
+          stop = true;
+        }
       }
-    }
-  };
-  const StopAfter safety(30.0, stop);
-  run_loop(device, *simulation, settings, safety.flag());
+    };
+    const StopAfter safety(30.0, stop);
+    run_loop(device, *simulation, settings, safety.flag());
+  }
   EXPECT_EQ(phase, done);
   EXPECT_GT(force_before, 0.3);  // the needle went on to push; only the device let go
 }
@@ -114,31 +124,6 @@ TEST(HapticLoop, goes_on_without_force_when_the_simulation_fails) {
   EXPECT_EQ(outcome.report.health, Health::not_finite);
   EXPECT_EQ(outcome.report.largest_force, 0.0);
   EXPECT_GT(outcome.report.period.count(), 10);
-}
-
-// Whoever shares the processor may stall a loop until the gate takes the force, before the test has begun.
-constexpr int tries = 10;
-
-// Bent too far the needle folds, and its model ends. The hand pushes on and feels nothing.
-TEST(HapticLoop, goes_on_without_force_when_the_simulation_fails_in_contact) {
-  LoopOutcome outcome;
-  double before_the_end = 0.0;  // N; at the end the loop lets go in any case
-  for (int i = 0; i < tries && outcome.report.largest_force < 0.3; ++i) {
-    Result<Simulation> simulation =
-        Simulation::build(held_by(*find_device_limits("touch"), testing_machine()));
-    SimulatedDevice hand(*find_device_limits("touch"), light_grip,
-                         [](double t) { return std::clamp(0.5 * (t - 0.7), 0.0, 0.25); });
-    const std::atomic<bool> never{false};
-    const StopAfter stop(2.0, never);
-    WatchedDevice device(hand, [&](const DeviceState&, const Wrench& out) {
-      if (!stop.flag()) before_the_end = out.force.norm();
-    });
-    outcome = run_loop(device, *simulation, {}, stop.flag());
-  }
-  EXPECT_EQ(outcome.report.health, Health::needle_folded);
-  EXPECT_NE(outcome.report.fault, GateFault::none);
-  EXPECT_GT(outcome.report.largest_force, 0.3);
-  EXPECT_EQ(before_the_end, 0.0);
 }
 
 // A device whose handle rests, in ticks of its own: one word of its speed is no number in the ticks of

@@ -147,11 +147,13 @@ Stopping die(double speed) {
   return result;
 }
 
+// A machine that is busy may take the force before the simulation stops: that was no trial, and another takes
+// its place.
 template <class Trial>
 void expect_force_gone_in_time(Trial trial) {
   std::mt19937 random(5);
-  int felt = 0, stale = 0, longest = 0;
-  for (int i = 0; i < trials(); ++i) {
+  int felt = 0, stale = 0, longest = 0, i = 0;
+  for (; felt < trials() && i < 5 * trials(); ++i) {
     const Stopping found = trial(random);
     EXPECT_LE(found.last_felt, allowed) << "trial " << i;
     EXPECT_NE(found.report.fault, GateFault::none) << "trial " << i;
@@ -159,9 +161,9 @@ void expect_force_gone_in_time(Trial trial) {
     felt += found.force > noticed;
     longest = std::max(longest, found.last_felt);
   }
-  EXPECT_GT(felt, trials() / 2);
+  EXPECT_EQ(felt, trials());
   EXPECT_GT(stale, trials() / 2);
-  std::printf("%d trials, %d with a force to lose: gone after %d ticks at most\n", trials(), felt, longest);
+  std::printf("%d trials, %d with a force to lose: gone after %d ticks at most\n", i, felt, longest);
 }
 
 double any_between(std::mt19937& random, double low, double high) {

@@ -1,0 +1,122 @@
+// Recording: one insertion as the page saw it. Every trace is kept; shapes are kept apart from each other by a
+// least travel and time, and thinned when they grow many.
+import { place, type Frame, type Trace } from './frame';
+import type { EngineEvent, Model } from './protocol';
+
+const mostShapes = 900;
+const shapeStep = 0.03; // s of simulated time between two kept shapes
+const nodeUnit = 1e-6; // m, of a kept displacement; 16 bits reach 32 mm
+const reach = 32767;
+
+// The drawn part of a frame, small: displacements in micrometres, stress in 16 bits of its largest.
+export interface Shape {
+  at: number; // index of its trace
+  needle: Float32Array;
+  displacement: Int16Array;
+  stress: Uint16Array;
+  largestStress: number;
+}
+
+export class Recording {
+  readonly traces: Trace[] = [];
+  readonly shapes: Shape[] = [];
+  readonly events: EngineEvent[] = [];
+  private step = shapeStep;
+
+  constructor(
+    readonly model: Model,
+    readonly label: string,
+    readonly id: number,
+  ) {}
+
+  get length(): number {
+    return this.traces.length;
+  }
+
+  get travelled(): number {
+    let most = 0;
+    for (const trace of this.traces) most = Math.max(most, trace[place.hand_travel_m]!);
+    return most;
+  }
+
+  add(frame: Frame): void {
+    const last = this.traces.at(-1);
+    if (last && frame.trace[place.time_s]! <= last[place.time_s]!) return;
+    this.traces.push(frame.trace);
+    const kept = this.shapes.at(-1);
+    const since = kept ? frame.trace[place.time_s]! - this.traces[kept.at]![place.time_s]! : Infinity;
+    if (since < this.step && frame.trace[place.stage] === last?.[place.stage]) return;
+    this.shapes.push(shapeOf(frame, this.model, this.traces.length - 1));
+    if (this.shapes.length > mostShapes) this.thin();
+  }
+
+  // Index of the last trace at or before a time [s].
+  at(time: number): number {
+    return lastAtOrBefore(this.traces.length, (i) => this.traces[i]![place.time_s]!, time);
+  }
+
+  // Index of the first trace that had gone as far [m], or the last one.
+  atTravel(travel: number): number {
+    const found = this.traces.findIndex((trace) => trace[place.hand_travel_m]! >= travel);
+    return found < 0 ? this.traces.length - 1 : found;
+  }
+
+  // A frame to draw: the trace at an index with the shape kept last before it.
+  frame(index: number): Frame | null {
+    const trace = this.traces[index];
+    if (!trace || this.shapes.length === 0) return null;
+    const shape = this.shapes[lastAtOrBefore(this.shapes.length, (i) => this.shapes[i]!.at, index)]!;
+    const time = trace[place.time_s]!;
+    const events = this.events.filter((event) => event.time_s <= time).length;
+    return { trace, events, needle: shape.needle, ...unfolded(shape, this.model) };
+  }
+
+  // The trace whose shape frame(index) shows: the drawn numbers are those of this one.
+  shownTrace(index: number): Trace | null {
+    const shape = this.shapes[lastAtOrBefore(this.shapes.length, (i) => this.shapes[i]!.at, index)];
+    return shape ? this.traces[shape.at]! : null;
+  }
+
+  private thin(): void {
+    const kept = this.shapes.filter((shape, i) => i % 2 === 0 || this.stageChanges(shape.at));
+    this.shapes.splice(0, this.shapes.length, ...kept);
+    this.step *= 2;
+  }
+
+  private stageChanges(at: number): boolean {
+    return at > 0 && this.traces[at]![place.stage] !== this.traces[at - 1]![place.stage];
+  }
+}
+
+export function shapeOf(frame: Frame, model: Model, at: number): Shape {
+  const displacement = new Int16Array(frame.nodes.length);
+  for (let i = 0; i < displacement.length; ++i) {
+    const moved = Math.round((frame.nodes[i]! - model.nodes_m[i]!) / nodeUnit);
+    displacement[i] = Math.max(-reach, Math.min(reach, moved));
+  }
+  let largestStress = 0;
+  for (const value of frame.stress) largestStress = Math.max(largestStress, value);
+  const stress = new Uint16Array(frame.stress.length);
+  if (largestStress > 0) for (let i = 0; i < stress.length; ++i) stress[i] = Math.round((frame.stress[i]! / largestStress) * 65535);
+  return { at, needle: frame.needle.slice(), displacement, stress, largestStress };
+}
+
+function unfolded(shape: Shape, model: Model): Pick<Frame, 'nodes' | 'stress'> {
+  const nodes = new Float32Array(shape.displacement.length);
+  for (let i = 0; i < nodes.length; ++i) nodes[i] = model.nodes_m[i]! + shape.displacement[i]! * nodeUnit;
+  const stress = new Float32Array(shape.stress.length);
+  for (let i = 0; i < stress.length; ++i) stress[i] = (shape.stress[i]! / 65535) * shape.largestStress;
+  return { nodes, stress };
+}
+
+// The last of `count` rising values that is at most `limit`; 0 when none is.
+function lastAtOrBefore(count: number, value: (i: number) => number, limit: number): number {
+  let low = 0;
+  let high = count - 1;
+  while (low < high) {
+    const middle = (low + high + 1) >> 1;
+    if (value(middle) <= limit) low = middle;
+    else high = middle - 1;
+  }
+  return low;
+}

@@ -68,35 +68,6 @@ void print_tissue(const Scene& scene, const Simulation& simulation, const Predic
   warn_of_size(scene, mesh);
 }
 
-void print_expectation(const Scene& scene, const Prediction& p) {
-  const double rupture_force = scene.contact.rupture_force;
-  std::printf("Expect   ");
-  if (scene.tissue.rigid)
-    std::printf("the bare column buckles at %.4f N and carries at most %.4f N within the hand's travel\n",
-                p.critical_load, p.highest_load);
-  else if (p.outcome == Outcome::straight_puncture)
-    std::printf("straight_puncture: the critical load %.4f N is above the rupture force %g N\n",
-                p.critical_load, rupture_force);
-  else if (p.outcome == Outcome::buckled_then_punctured)
-    std::printf(
-        "buckled_then_punctured: buckling at %.4f N, but bent it still pushes up to %.4f N, more than the "
-        "rupture "
-        "force %g N\n",
-        p.critical_load, p.highest_load, rupture_force);
-  else if (p.highest_load < p.critical_load)
-    std::printf(
-        "never_punctured: within the hand's travel the needle presses with at most about %.4f N, less than "
-        "the rupture "
-        "force %g N and than its critical load %.4f N\n",
-        p.highest_load, rupture_force, p.critical_load);
-  else
-    std::printf(
-        "never_punctured: buckling at %.4f N, and within the hand's travel the bent needle pushes at most "
-        "%.4f N, "
-        "less than the rupture force %g N\n",
-        p.critical_load, p.highest_load, rupture_force);
-}
-
 // Steps the simulation for about a tenth of a second of wall time and says what a step costs.
 void print_cost(const Scene& scene, Simulation& simulation) {
   using Clock = std::chrono::steady_clock;
@@ -135,7 +106,7 @@ int do_check(const CheckOptions& options) {
   std::printf("Scene    %s makes sense\n", options.scene.c_str());
   print_needle(scene->needle, scene->contact.rupture_force, prediction);
   print_tissue(*scene, *simulation, prediction);
-  print_expectation(*scene, prediction);
+  std::printf("Expect   %s: %s\n", name_of(prediction.outcome).c_str(), in_words(*scene, prediction).c_str());
   std::printf("Hand     goes %g mm in %g s\n", furthest_travel(scene->hand) / units::mm,
               duration(scene->hand));
   print_cost(*scene, *simulation);

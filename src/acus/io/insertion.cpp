@@ -2,17 +2,9 @@
 
 #include <cmath>
 
-#include "acus/io/mesh_file.h"
 #include "acus/sim/hand.h"
 
 namespace acus::io {
-
-Result<Simulation> build_simulation(const Scene& scene) {
-  if (scene.tissue.rigid || scene.tissue.mesh.empty()) return Simulation::build(scene);
-  const Result<mesh::TetMesh> mesh = read_mesh(scene.tissue.mesh, scene.tissue.mesh_unit);
-  if (!mesh) return mesh.error();
-  return Simulation::build(scene, &*mesh);
-}
 
 int step_count(const Scene& scene) {
   constexpr double rounding = 1e-9;  // of a step: a duration of 8.0 s is 8000 steps of 1 ms, not 8001

@@ -133,21 +133,28 @@ ColumnResponse column_response(const Column& column, double free_length, double 
   return r;
 }
 
-std::vector<ElasticaPoint> column_line(const Column& column, double free_length, double shortening,
-                                       int points) {
-  assert(points >= 2);
+ColumnCurve column_curve(const Column& column, double free_length, double shortening) {
   const ColumnResponse r = column_response(column, free_length, shortening);
   const double total_ratio = r.shortening_ratio + column.initial_shortening_ratio;
   const Elastica curve =
       elastica(column.support, std::clamp(total_ratio, 0.0, column.law.max_shortening_ratio));
   // The elastica's span lacks the compression P l / EA and the initial shortening; stretching it puts the
   // ends in place.
-  const double axial_scale = (free_length - shortening) / (1.0 - curve.shortening_ratio);
+  return {curve, (free_length - shortening) / (1.0 - curve.shortening_ratio), free_length};
+}
+
+ElasticaPoint point_at(const ColumnCurve& curve, double arc_ratio) {
+  const ElasticaPoint p = elastica_point(curve.elastica, arc_ratio);
+  return {curve.axial_scale * p.axial, curve.free_length * p.lateral};
+}
+
+std::vector<ElasticaPoint> column_line(const Column& column, double free_length, double shortening,
+                                       int points) {
+  assert(points >= 2);
+  const ColumnCurve curve = column_curve(column, free_length, shortening);
   std::vector<ElasticaPoint> line(static_cast<std::size_t>(points));
-  for (int i = 0; i < points; ++i) {
-    const ElasticaPoint p = elastica_point(curve, static_cast<double>(i) / (points - 1));
-    line[static_cast<std::size_t>(i)] = {axial_scale * p.axial, free_length * p.lateral};
-  }
+  for (int i = 0; i < points; ++i)
+    line[static_cast<std::size_t>(i)] = point_at(curve, static_cast<double>(i) / (points - 1));
   return line;
 }
 

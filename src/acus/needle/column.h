@@ -43,8 +43,16 @@ struct ColumnResponse {
 ColumnResponse column_response(const Column& column, double free_length, double shortening,
                                double grip_compliance = 0.0);
 
-// The centre line of the free part, hub (axial 0) to entry (axial free_length - shortening), `points` >= 2
-// points evenly along its arc, in metres. Takes some 0.1 ms: for drawings.
+// The centre line of the free part, for drawings.
+struct ColumnCurve {
+  Elastica elastica;
+  double axial_scale;  // m
+  double free_length;  // m
+};
+ColumnCurve column_curve(const Column& column, double free_length, double shortening);
+// Its point at arc_ratio of its length, m: hub at 0 (axial 0), entry at 1 (axial free_length - shortening).
+ElasticaPoint point_at(const ColumnCurve& curve, double arc_ratio);
+// `points` >= 2 points evenly along its arc. Takes some 0.1 ms.
 std::vector<ElasticaPoint> column_line(const Column& column, double free_length, double shortening,
                                        int points);
 

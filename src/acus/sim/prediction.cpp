@@ -1,7 +1,9 @@
 #include "acus/sim/prediction.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 #include "acus/needle/buckling.h"
@@ -20,6 +22,15 @@ double highest_load_ratio(needle::Support support, double shortening_ratio) {
   for (int i = 1; i <= samples; ++i)
     highest = std::max(highest, needle::elastica(support, furthest * i / samples).load_ratio);
   return highest;
+}
+
+// Three significant digits, zeros too.
+std::string newtons(double force) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%#.3g", force);
+  std::string digits = text.data();
+  if (digits.back() == '.') digits.pop_back();
+  return digits + " N";
 }
 
 }  // namespace
@@ -51,6 +62,28 @@ Prediction predict(const Scene& scene) {
     p.outcome =
         p.critical_load < rupture_force ? Outcome::buckled_then_punctured : Outcome::straight_puncture;
   return p;
+}
+
+std::string in_words(const Scene& scene, const Prediction& p) {
+  const std::string buckles = "buckles at " + newtons(p.critical_load);
+  const std::string most = newtons(p.highest_load), rupture = newtons(scene.contact.rupture_force);
+  if (scene.tissue.rigid)
+    return buckles + " against a fixed stop and carries at most " + most + " within the hand's travel";
+  switch (p.outcome) {
+    case Outcome::straight_puncture:
+      return "the tissue ruptures at " + rupture + ", the needle " + buckles +
+             ": this needle will go in straight";
+    case Outcome::buckled_then_punctured:
+      return buckles + ", the tissue ruptures at " + rupture + ", and bent the needle still pushes up to " +
+             most + ": this needle will bow and go in all the same";
+    case Outcome::never_punctured:
+      break;
+  }
+  if (p.highest_load < p.critical_load)
+    return "within the hand's travel the needle presses with at most about " + most +
+           ", the tissue ruptures at " + rupture + ": this hand does not go far enough";
+  return buckles + " and pushes at most " + most + " when bent, the tissue ruptures at " + rupture +
+         ": this needle will not go in";
 }
 
 }  // namespace acus

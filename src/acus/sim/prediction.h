@@ -1,6 +1,8 @@
 // Prediction: what the closed forms say of a scene before anything is simulated.
 #pragma once
 
+#include <string>
+
 #include "acus/sim/scene.h"
 #include "acus/sim/summary.h"
 
@@ -19,6 +21,9 @@ struct Prediction {
 // slippery bed and more than a thick block on a fixed one; dynamics, friction and the needle's imperfection
 // are left out.
 Prediction predict(const Scene& scene);
+
+// What is to be expected, for people: "buckles at 0.642 N, the tissue ruptures at 1.00 N: this needle ...".
+std::string in_words(const Scene& scene, const Prediction& prediction);
 
 // Mean sink of a uniform pressure over a disc on a half-space, 16 (1 - nu^2) F / (3 pi^2 E a) (Timoshenko and
 // Goodier, Theory of Elasticity, 139). m

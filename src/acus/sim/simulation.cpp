@@ -83,29 +83,44 @@ std::vector<Vec3> Simulation::velocities() const {
 }
 
 std::vector<double> Simulation::von_mises() const {
+  std::vector<double> stress(tissue().tets.size());
+  von_mises_into(stress);
+  return stress;
+}
+
+void Simulation::von_mises_into(std::span<double> out) const {
   const Parts& p = *parts_;
-  if (p.model.rigid()) return {};
-  return tissue::von_mises(p.model.tissue, p.state.position);
+  if (!p.model.rigid()) tissue::von_mises_into(out, p.model.tissue, p.state.position);
 }
 
 std::vector<Vec3> Simulation::needle_line(int points) const {
+  std::vector<Vec3> line(static_cast<std::size_t>(points));
+  needle_line_into(line);
+  return line;
+}
+
+void Simulation::needle_line_into(std::span<Vec3> out) const {
   const Parts& p = *parts_;
   const NeedlePlace place = place_needle(p.model, p.state);
   const double length = p.model.scene.needle.length;
+  const int points = static_cast<int>(out.size());
   const Vec3 along = direction();
   // The bow lies in one plane through the axis; for a needle along z it is the x-z plane.
   const Vec3 sideways =
       along.cross(Vec3::UnitY()).norm() > 0.5 ? along.cross(Vec3::UnitY()).normalized() : Vec3::UnitX();
-  const int outside = std::max(2, static_cast<int>(std::lround(points * place.free_length / length)));
-  const auto bow = needle::column_line(p.model.column, place.free_length, place.shortening, outside);
+  const int outside =
+      std::clamp(static_cast<int>(std::lround(points * place.free_length / length)), 2, points);
+  const auto curve = needle::column_curve(p.model.column, place.free_length, place.shortening);
   const Vec3 hub = entry() + (p.state.hub_travel - length) * along;
-  std::vector<Vec3> line;
-  for (const auto& point : bow) line.push_back(hub + point.axial * along + point.lateral * sideways);
-  const Vec3 from = line.back();
+  for (int i = 0; i < outside; ++i) {
+    const auto point = needle::point_at(curve, static_cast<double>(i) / (outside - 1));
+    out[i] = hub + point.axial * along + point.lateral * sideways;
+  }
+  const Vec3 from = out[outside - 1];
   const Vec3 tip = entry() + p.state.tip_position * along;
   const int inside = points - outside;
-  for (int i = 1; i <= inside; ++i) line.push_back(from + (tip - from) * (static_cast<double>(i) / inside));
-  return line;
+  for (int i = 1; i <= inside; ++i)
+    out[outside - 1 + i] = from + (tip - from) * (static_cast<double>(i) / inside);
 }
 
 std::uint64_t Simulation::state_hash() const {

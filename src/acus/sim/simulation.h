@@ -41,6 +41,9 @@ class Simulation {
   std::vector<double> von_mises() const;    // Pa, one per tetrahedron, now (computed on call)
   // The centre line of the needle now, hub to tip, m: `points` points evenly along its arc.
   std::vector<Vec3> needle_line(int points) const;
+  // The same without allocating; `out` has as many entries.
+  void von_mises_into(std::span<double> out) const;
+  void needle_line_into(std::span<Vec3> out) const;
   Vec3 entry() const;      // m, undeformed
   Vec3 direction() const;  // unit vector into the tissue
 

@@ -6,8 +6,7 @@
 
 namespace acus::tissue {
 
-std::vector<double> von_mises(const TissueModel& model, std::span<const Vec3> positions) {
-  std::vector<double> stress(static_cast<std::size_t>(model.tets));
+void von_mises_into(std::span<double> out, const TissueModel& model, std::span<const Vec3> positions) {
   for (int e = 0; e < model.tets; ++e) {
     const mesh::Tet& t = model.corners[e];
     Mat3 F = Mat3::Zero();
@@ -19,9 +18,8 @@ std::vector<double> von_mises(const TissueModel& model, std::span<const Vec3> po
     const Mat3 stretch = numeric::rotation_of(F).transpose() * F;
     Mat3 strain = 0.5 * (stretch + stretch.transpose()) - Mat3::Identity();
     strain -= strain.trace() / 3.0 * Mat3::Identity();
-    stress[e] = 2.0 * model.shear[e] * std::sqrt(1.5) * strain.norm();
+    out[e] = 2.0 * model.shear[e] * std::sqrt(1.5) * strain.norm();
   }
-  return stress;
 }
 
 }  // namespace acus::tissue

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # Includes only go down:
-#   base <- numeric, mesh <- {tissue, needle, coupling, force} <- sim <- io, net <- study, haptics <- acus.h <- apps
-# and the four in braces are strangers to each other, like numeric and mesh, io and net, and study and haptics.
+#   base <- numeric, mesh <- {tissue, needle, coupling, force} <- sim <- io, net <- study, view, haptics <- acus.h <- apps
+# and the four in braces are strangers to each other, like numeric and mesh, io and net, and study, view and haptics.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../tree.sh"
 
 declare -A level=([base]=0 [numeric]=1 [mesh]=1 [tissue]=2 [needle]=2 [coupling]=2 [force]=2 [sim]=3 [io]=4 [net]=4 [study]=5
-                  [haptics]=5 [acus.h]=6)
+                  [view]=5 [haptics]=5 [acus.h]=6)
 # The engine knows no threads, no clock, no sockets and no streams, and keeps to what libc++ 13 has.
 outside='thread|mutex|shared_mutex|condition_variable|future|atomic|semaphore|barrier|latch|stop_token|chrono|ctime'
 outside+='|time\.h|sys/time\.h|sys/socket\.h|netinet/.*|unistd\.h|iostream|istream|ostream|sstream|fstream|iomanip|locale|filesystem|random'

@@ -1,0 +1,13 @@
+#include "acus/io/insertion.h"
+#include "acus/io/mesh_file.h"
+
+namespace acus::io {
+
+Result<Simulation> build_simulation(const Scene& scene) {
+  if (scene.tissue.rigid || scene.tissue.mesh.empty()) return Simulation::build(scene);
+  const Result<mesh::TetMesh> mesh = read_mesh(scene.tissue.mesh, scene.tissue.mesh_unit);
+  if (!mesh) return mesh.error();
+  return Simulation::build(scene, &*mesh);
+}
+
+}  // namespace acus::io

@@ -49,7 +49,7 @@ export class SocketSource implements EngineClient {
         if (report) listener.report(report);
       } else {
         const frame = decode(data);
-        if (typeof frame !== 'string') listener.frame(frame);
+        if (frame) listener.frame(frame);
       }
     };
     socket.onclose = () => {

@@ -33,6 +33,7 @@ export interface Drawing {
   y: { label: string; least: number; most: number };
 }
 
+const nothing: Curve = { label: '', x: [], y: [], colour: 'transparent', width: 0 };
 const font = () => `11px ${token('font')}`;
 
 export class Chart {
@@ -46,7 +47,8 @@ export class Chart {
     private height: number,
   ) {}
 
-  draw(drawing: Drawing, theme: string): void {
+  draw(wanted: Drawing, theme: string): void {
+    const drawing = wanted.curves.length > 0 ? wanted : { ...wanted, curves: [nothing] };
     this.drawing = drawing;
     const key = `${theme} ${drawing.curves.length} ${drawing.x.label} ${drawing.y.label}`;
     if (key !== this.made) {

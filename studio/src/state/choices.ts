@@ -32,12 +32,12 @@ export const contactControls: Control[] = [
 
 // Outer radii of hypodermic tube, ISO 9626:2016, nominal.
 const gauge = (g: number, outer: number): Preset => ({
-  words: `${g} G, ${outer} mm across`,
+  words: `${g} G, ${outer} mm`,
   settings: { 'needle.radius_mm': outer / 2 },
   source: 'ISO 9626:2016, outer diameter; solid here',
 });
 export const gauges: Preset[] = [
-  { words: 'Table I, 0.6 mm across', settings: { 'needle.radius_mm': 0.3 }, source: 'the paper’s Table I' },
+  { words: 'Table I, 0.6 mm', settings: { 'needle.radius_mm': 0.3 }, source: 'the paper’s Table I' },
   gauge(18, 1.27),
   gauge(20, 0.91),
   gauge(21, 0.82),
@@ -54,21 +54,22 @@ export const materials: Preset[] = [
   { words: 'PEEK, 3.6 GPa', settings: { 'needle.youngs_modulus_GPa': 3.6, 'needle.density_kg_m3': 1300 }, source: 'unfilled polymer, data-sheet value' },
 ];
 
-export const supports = [
-  { value: 'clamped_pinned', words: 'Hub held fast, tip rests (default)' },
-  { value: 'pinned_pinned', words: 'Hub may tilt, tip rests (the paper’s Eq. 10)' },
-  { value: 'clamped_clamped', words: 'Hub and tip held fast' },
-  { value: 'clamped_free', words: 'Hub held fast, tip free to slide' },
+const support = (value: string, words: string, source: string): Preset => ({ words, settings: { 'needle.support': value }, source });
+export const supports: Preset[] = [
+  support('clamped_pinned', 'clamped, pinned', 'held fast by the hand, the tip rests in tissue'),
+  support('pinned_pinned', 'pinned, pinned', 'free to tilt at both ends: the paper’s Eq. 10'),
+  support('clamped_clamped', 'clamped, clamped', 'held fast at both ends'),
+  support('clamped_free', 'clamped, free', 'held fast by the hand, the tip slides'),
 ];
 
 export const tissues: Preset[] = [
   {
-    words: 'The paper’s tissue, 25 kPa',
+    words: 'Table I, 25 kPa',
     settings: { 'tissue.youngs_modulus_kPa': 25, 'contact.fracture_toughness_J_m2': 164, 'contact.friction_N_m': 40 },
     source: 'Table I; toughness of bovine liver (Gokgol 2012), friction J Endourol 10.1089/end.2016.0342',
   },
   {
-    words: 'Tender: low cutting and friction',
+    words: 'Easily cut, 25 kPa',
     settings: { 'tissue.youngs_modulus_kPa': 25, 'contact.fracture_toughness_J_m2': 76, 'contact.friction_N_m': 20 },
     source: 'toughness at the low end measured, porcine liver; as in studies/fig6.toml',
   },
@@ -93,6 +94,7 @@ export const meshes = [
 // What the page sets on every scene so that a hand can push it in a browser; both are in reach of the person.
 export const pageSettings: Record<string, number | string> = {
   'tissue.tetrahedra': 3000,
+  'hand.speed_mm_s': 4, // a push goes five times as fast at most: the paper's 20 mm/s
   'run.solver_tolerance': 1e-4, // moves no force by more than 0.01 % (studies)
 };
 

@@ -15,6 +15,7 @@ const worthKeeping = 0.5e-3; // m of travel that make a run worth comparing
 const restartAfter = 350; // ms after the last change of a choice
 const serverSpeaksWithin = 1500; // ms after its hello, with the model of its own scene
 const firstTouch = 0.4e-3; // m: a new insertion begins in contact
+const touchSpeed = 4e-3; // m/s
 
 export type Settings = Record<string, number | string>;
 
@@ -53,6 +54,7 @@ export class Session {
   private runs = 0;
   private meter = new RateMeter();
   private wasPaused = false;
+  private touching = false; // the hand goes to first touch by itself
   onEvent: ((event: EventName) => void) | null = null;
 
   get stage(): Stage {
@@ -143,7 +145,8 @@ export class Session {
     this.meter = new RateMeter();
     this.engine?.send({ type: 'rate', factor: this.rate });
     this.engine?.send({ type: this.paused ? 'pause' : 'resume' });
-    if (this.hello?.device == null) this.push(firstTouch);
+    this.touching = this.hello?.device == null;
+    if (this.touching) this.engine?.send({ type: 'steady', speed_m_s: touchSpeed });
   }
 
   private keep(): void {
@@ -162,6 +165,7 @@ export class Session {
     this.run.add(frame);
     if (this.hello?.source !== 'serve' || !this.loop)
       this.realTimeFactor = this.meter.add(frame.trace[place.time_s]!, performance.now());
+    if (this.touching && frame.trace[place.hand_travel_m]! >= firstTouch) this.steady(0);
     if (this.player) return;
     this.frame = frame;
     if (this.steadySpeed !== 0) this.asked = frame.trace[place.hand_travel_m]!;
@@ -207,7 +211,7 @@ export class Session {
     if (!this.canPush || !Number.isFinite(travel)) return;
     this.asked = Math.max(-0.02, Math.min(this.mostTravel, travel));
     this.steadySpeed = 0;
-    if (this.paused && !this.frame) this.pause(false);
+    this.touching = false;
     this.engine?.send({ type: 'push', travel_m: this.asked });
   }
 
@@ -218,6 +222,7 @@ export class Session {
   steady(speed: number): void {
     if (!this.canPush) return;
     this.steadySpeed = speed;
+    this.touching = false;
     if (this.paused) this.pause(false);
     this.engine?.send({ type: 'steady', speed_m_s: speed });
     if (speed === 0 && this.frame) this.asked = this.frame.trace[place.hand_travel_m]!;

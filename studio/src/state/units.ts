@@ -13,10 +13,10 @@ export const kilopascals = (value: number, digits = 1): string => `${fixed(value
 export const seconds = (value: number, digits = 2): string => `${fixed(value, digits)} s`;
 export const plain = fixed;
 
-// 1, 2 or 5 times a power of ten: the smallest that is at least `value`.
+// A round number that is at least `value`, and not much more.
 export function niceAbove(value: number): number {
   if (!(value > 0)) return 1;
   const power = 10 ** Math.floor(Math.log10(value));
-  for (const factor of [1, 2, 5, 10]) if (factor * power >= value * (1 - 1e-9)) return factor * power;
+  for (const factor of [1, 1.2, 1.6, 2, 3, 4, 5, 6, 8, 10]) if (factor * power >= value * (1 - 1e-9)) return factor * power;
   return 10 * power;
 }

@@ -40,8 +40,7 @@ export function story(stage: Stage, trace: Trace, model: Model, happened: Set<Ev
       title: 'It buckled.',
       text: rigid
         ? `A straight needle of ${free} carries ${critical}; beyond that it gives way sideways.`
-        : `A free length of ${free} carries only ${critical} before it gives way sideways; the tissue opens at ${rupture}. ` +
-          'Pushing further mostly bends the needle.',
+        : `${free} of free needle carry ${critical}, then give way sideways; the tissue would open only at ${rupture}. Pushing on mostly bends it.`,
       offer: shorter(model),
     };
   }

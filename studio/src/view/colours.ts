@@ -1,20 +1,21 @@
-// Colour maps that grow evenly in lightness and can be told apart by the colour-blind: viridis (Nathaniel Smith and
-// Stefan van der Walt) by the polynomial of Matt Zucker's fit, and its mirror image for light paper.
+// The colour map: magma of Nathaniel Smith and Stefan van der Walt, whose lightness grows evenly and which the
+// colour-blind can read, by Matt Zucker's polynomial. What is not deformed has the colour nearest to the paper behind it.
 import { CanvasTexture, LinearFilter, SRGBColorSpace, type Texture } from 'three';
 
 const fit: [number, number, number][] = [
-  [0.2777273272234177, 0.005407344544966578, 0.3340998053353061],
-  [0.1050930431085774, 1.404613529898575, 1.384590162594685],
-  [-0.3308618287255563, 0.214847559468213, 0.09509516302823659],
-  [-4.634230498983486, -5.799100973351585, -19.33244095627987],
-  [6.228269936347081, 14.17993336680509, 56.69055260068105],
-  [4.776384997670288, -13.74514537774601, -65.35303263337234],
-  [-5.435455855934631, 4.645852612178535, 26.3124352495832],
+  [-0.002136485053939582, -0.000749655052795221, -0.005386127855323933],
+  [0.2516605407371642, 0.6775232436837668, 2.494026599312351],
+  [8.353717279216625, -3.577719514958484, 0.3144679030132573],
+  [-27.66873308576866, 14.26473078096533, -13.64921318813922],
+  [52.17613981234068, -27.94360607168351, 12.94416944238394],
+  [-50.76852536473588, 29.04658282127291, 4.23415299384598],
+  [18.65570506591883, -11.48977351997711, -5.601961508734096],
 ];
+const ends = { light: [0.95, 0.16], dark: [0.24, 0.99] } as const;
 
 export type Rgb = [number, number, number]; // 0 to 255, sRGB
 
-export function viridis(t: number): Rgb {
+function magma(t: number): Rgb {
   const at = Math.max(0, Math.min(1, t));
   return [0, 1, 2].map((k) => {
     let value = 0;
@@ -23,17 +24,18 @@ export function viridis(t: number): Rgb {
   }) as Rgb;
 }
 
+export type Map = (t: number) => Rgb;
+export const mapFor = (dark: boolean): Map => {
+  const [from, to] = dark ? ends.dark : ends.light;
+  return (t) => magma(from + (to - from) * Math.max(0, Math.min(1, t)));
+};
+
 const steps = 128;
 
-export function mapTexture(map: (t: number) => Rgb): Texture {
+export function mapTexture(): Texture {
   const canvas = document.createElement('canvas');
   canvas.width = steps;
   canvas.height = 1;
-  const context = canvas.getContext('2d')!;
-  for (let i = 0; i < steps; ++i) {
-    context.fillStyle = `rgb(${map(i / (steps - 1)).join(' ')})`;
-    context.fillRect(i, 0, 1, 1);
-  }
   const texture = new CanvasTexture(canvas);
   texture.colorSpace = SRGBColorSpace;
   texture.minFilter = texture.magFilter = LinearFilter;
@@ -41,5 +43,15 @@ export function mapTexture(map: (t: number) => Rgb): Texture {
   return texture;
 }
 
-export const mapGradient = (map: (t: number) => Rgb): string =>
+export function paint(texture: Texture, map: Map): void {
+  const canvas = texture.image as HTMLCanvasElement;
+  const context = canvas.getContext('2d')!;
+  for (let i = 0; i < steps; ++i) {
+    context.fillStyle = `rgb(${map(i / (steps - 1)).join(' ')})`;
+    context.fillRect(i, 0, 1, 1);
+  }
+  texture.needsUpdate = true;
+}
+
+export const mapGradient = (map: Map): string =>
   `linear-gradient(to right, ${Array.from({ length: 12 }, (_, i) => `rgb(${map(i / 11).join(' ')})`).join(', ')})`;

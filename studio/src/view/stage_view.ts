@@ -16,7 +16,7 @@ import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { place, type Frame } from '../sources/frame';
 import type { Model } from '../sources/protocol';
 import { Arrow } from './arrow';
-import { mapTexture, viridis } from './colours';
+import { mapTexture, paint, type Map } from './colours';
 import { Needle } from './needle';
 import { axesOf, Rig, type Axes, type Room, type ViewName } from './rig';
 import { Tissue, type Field } from './tissue';
@@ -32,7 +32,7 @@ export interface Look {
 }
 
 export interface Style {
-  background: string;
+  map: Map;
   inset: string;
   skin: string;
   skinOpacity: number;
@@ -60,7 +60,7 @@ export const insetSize = 150; // CSS px
 export const insetHeight = 24e-3; // m
 const hubLength = 24e-3;
 const arrowLength = 45e-3; // m, at the force of the arrow's scale
-const room: Room = { left: 24, right: 24, top: 64, bottom: 58 };
+const room: Room = { left: 24, right: 24, top: 22, bottom: 26 };
 
 // What is made anew for each model.
 interface Parts {
@@ -78,7 +78,7 @@ export class StageView {
   private readonly scene = new Scene();
   private readonly lamp = new DirectionalLight(0xffffff, 2.1);
   private readonly close = new OrthographicCamera(-1, 1, 1, -1, 0.01, 4);
-  private readonly map: Texture = mapTexture(viridis);
+  private readonly map: Texture = mapTexture();
   private controls: OrbitControls | null = null;
   private parts: Parts | null = null;
   private style: Style | null = null;
@@ -182,6 +182,7 @@ export class StageView {
 
   restyle(style: Style): void {
     this.style = style;
+    paint(this.map, style.map);
     const { parts } = this;
     parts?.needle.style(style.steel, style.outline, style.hub);
     parts?.arrow.style(style.force);

@@ -78,7 +78,7 @@ function all(): Built[] {
       pinned_pinned: 'hub pinned, opens at 0.325 N',
     }),
     scene('default', 'Scenes', 'buckles, punctures, buckles again'),
-    scene('pause_withdraw_reinsert', 'Scenes', 'stout needle, in and out again'),
+    scene('pause_withdraw_reinsert', 'Scenes', 'stout needle, to go in, out and in again'),
     scene('bare_column', 'Scenes', 'bare needle against a wall'),
   ];
 }

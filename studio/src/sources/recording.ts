@@ -42,6 +42,11 @@ export class Recording {
   add(frame: Frame): void {
     const last = this.traces.at(-1);
     if (last && frame.trace[place.time_s]! <= last[place.time_s]!) return;
+    // Of a hand at rest the first moment is kept and the last.
+    if (last && still(frame.trace, last) && still(last, this.traces.at(-2))) {
+      this.traces[this.traces.length - 1] = frame.trace;
+      return;
+    }
     this.traces.push(frame.trace);
     const kept = this.shapes.at(-1);
     const since = kept ? frame.trace[place.time_s]! - this.traces[kept.at]![place.time_s]! : Infinity;
@@ -55,10 +60,15 @@ export class Recording {
     return lastAtOrBefore(this.traces.length, (i) => this.traces[i]![place.time_s]!, time);
   }
 
-  // Index of the first trace that had gone as far [m], or the last one.
+  // Index of the first trace that had gone as far [m], or of the one that went farthest.
   atTravel(travel: number): number {
-    const found = this.traces.findIndex((trace) => trace[place.hand_travel_m]! >= travel);
-    return found < 0 ? this.traces.length - 1 : found;
+    let farthest = 0;
+    for (let i = 0; i < this.traces.length; ++i) {
+      const here = this.traces[i]![place.hand_travel_m]!;
+      if (here >= travel) return i;
+      if (here > this.traces[farthest]![place.hand_travel_m]!) farthest = i;
+    }
+    return farthest;
   }
 
   // A frame to draw: the trace at an index with the shape kept last before it.
@@ -71,12 +81,6 @@ export class Recording {
     return { trace, events, needle: shape.needle, ...unfolded(shape, this.model) };
   }
 
-  // The trace whose shape frame(index) shows: the drawn numbers are those of this one.
-  shownTrace(index: number): Trace | null {
-    const shape = this.shapes[lastAtOrBefore(this.shapes.length, (i) => this.shapes[i]!.at, index)];
-    return shape ? this.traces[shape.at]! : null;
-  }
-
   private thin(): void {
     const kept = this.shapes.filter((shape, i) => i % 2 === 0 || this.stageChanges(shape.at));
     this.shapes.splice(0, this.shapes.length, ...kept);
@@ -87,6 +91,15 @@ export class Recording {
     return at > 0 && this.traces[at]![place.stage] !== this.traces[at - 1]![place.stage];
   }
 }
+
+// Nothing that a person could see or read has moved.
+export const still = (a: Trace, b: Trace | undefined): boolean =>
+  b !== undefined &&
+  a[place.stage] === b[place.stage] &&
+  Math.abs(a[place.hand_travel_m]! - b[place.hand_travel_m]!) < 1e-8 &&
+  Math.abs(a[place.tip_depth_m]! - b[place.tip_depth_m]!) < 1e-7 &&
+  Math.abs(a[place.deflection_m]! - b[place.deflection_m]!) < 1e-7 &&
+  Math.abs(a[place.hand_force_N]! - b[place.hand_force_N]!) < 1e-6;
 
 export function shapeOf(frame: Frame, model: Model, at: number): Shape {
   const displacement = new Int16Array(frame.nodes.length);

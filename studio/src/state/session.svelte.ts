@@ -11,11 +11,11 @@ import { eventWord } from './words';
 import { millimetres, newtons } from './units';
 
 const keptRuns = 6;
-const worthKeeping = 0.5e-3; // m of travel that make a run worth comparing
+export const leastTravel = 0.01; // m, out of the tissue
+const worthKeeping = 2e-3; // m of travel that make a run worth comparing
 const restartAfter = 350; // ms after the last change of a choice
 const serverSpeaksWithin = 1500; // ms after its hello, with the model of its own scene
 const firstTouch = 0.4e-3; // m: a new insertion begins in contact
-const touchSpeed = 4e-3; // m/s
 
 export type Settings = Record<string, number | string>;
 
@@ -54,7 +54,6 @@ export class Session {
   private runs = 0;
   private meter = new RateMeter();
   private wasPaused = false;
-  private touching = false; // the hand goes to first touch by itself
   onEvent: ((event: EventName) => void) | null = null;
 
   get stage(): Stage {
@@ -64,10 +63,12 @@ export class Session {
     return this.player === null;
   }
   get canPush(): boolean {
-    return this.engine !== null && this.link === 'open' && this.live && !this.starting && !this.failed;
+    return this.engine !== null && this.link === 'open' && this.live && !this.starting && !this.failed && this.loop?.owner !== false;
   }
   get mostTravel(): number {
-    return this.model ? Math.min(0.95 * this.model.needle_length_m, 0.1) : 0.08;
+    if (!this.model) return 0.08;
+    const own = this.model.scene.hand?.travel_mm;
+    return Math.min(0.8 * this.model.needle_length_m, Math.max(0.06, typeof own === 'number' ? 1.5e-3 * own : 0));
   }
 
   // --- where it comes from ---------------------------------------------------------------------------------
@@ -145,8 +146,7 @@ export class Session {
     this.meter = new RateMeter();
     this.engine?.send({ type: 'rate', factor: this.rate });
     this.engine?.send({ type: this.paused ? 'pause' : 'resume' });
-    this.touching = this.hello?.device == null;
-    if (this.touching) this.engine?.send({ type: 'steady', speed_m_s: touchSpeed });
+    if (this.hello?.device == null) this.push(firstTouch);
   }
 
   private keep(): void {
@@ -156,8 +156,9 @@ export class Session {
 
   private label(model: Model): string {
     const needle = model.scene.needle ?? {};
+    const opens = model.scene.tissue?.rigid === true ? 'on a wall' : `opens at ${newtons(model.rupture_force_N, 2)}`;
     const support = String(needle.support ?? '').replaceAll('_', '-');
-    return `${needle.length_mm} mm × ${needle.radius_mm} mm, ${support}, opens at ${newtons(model.rupture_force_N, 2)}`;
+    return `${needle.length_mm} mm, r ${needle.radius_mm} mm, ${opens}, ${support}`;
   }
 
   private takeFrame(frame: Frame): void {
@@ -165,10 +166,15 @@ export class Session {
     this.run.add(frame);
     if (this.hello?.source !== 'serve' || !this.loop)
       this.realTimeFactor = this.meter.add(frame.trace[place.time_s]!, performance.now());
-    if (this.touching && frame.trace[place.hand_travel_m]! >= firstTouch) this.steady(0);
+    this.stay(frame.trace[place.hand_travel_m]!);
     if (this.player) return;
     this.frame = frame;
     if (this.steadySpeed !== 0) this.asked = frame.trace[place.hand_travel_m]!;
+  }
+
+  // The steady hand stops where the slider ends.
+  private stay(travel: number): void {
+    if ((this.steadySpeed > 0 && travel >= this.mostTravel) || (this.steadySpeed < 0 && travel <= -leastTravel)) this.steady(0);
   }
 
   private happened(event: EngineEvent): void {
@@ -189,7 +195,7 @@ export class Session {
 
   choose(settings: Settings): void {
     this.settings = { ...this.settings, ...settings };
-    this.preset = '';
+    if (Object.keys(settings).some((key) => key !== 'tissue.tetrahedra')) this.preset = '';
     this.engine?.send({ type: 'check', scene: this.base, settings: settingsList(this.settings) });
     clearTimeout(this.restart);
     this.restart = window.setTimeout(() => this.start(), restartAfter);
@@ -209,9 +215,8 @@ export class Session {
 
   push(travel: number): void {
     if (!this.canPush || !Number.isFinite(travel)) return;
-    this.asked = Math.max(-0.02, Math.min(this.mostTravel, travel));
+    this.asked = Math.max(-leastTravel, Math.min(this.mostTravel, travel));
     this.steadySpeed = 0;
-    this.touching = false;
     this.engine?.send({ type: 'push', travel_m: this.asked });
   }
 
@@ -222,7 +227,6 @@ export class Session {
   steady(speed: number): void {
     if (!this.canPush) return;
     this.steadySpeed = speed;
-    this.touching = false;
     if (this.paused) this.pause(false);
     this.engine?.send({ type: 'steady', speed_m_s: speed });
     if (speed === 0 && this.frame) this.asked = this.frame.trace[place.hand_travel_m]!;

@@ -20,7 +20,7 @@ export const eventWord: Record<EventName, string> = {
   puncture: 'Puncture',
   second_buckling: 'Second buckling',
   layer: 'Layer',
-  exit: 'Out again',
+  exit: 'Tip out',
 };
 
 export interface Story {
@@ -49,6 +49,8 @@ export function story(stage: Stage, trace: Trace, model: Model, happened: Set<Ev
       title: 'It buckled again, with its tip inside.',
       text: `Cutting and friction now ask for more than the ${critical} that the ${free} outside can carry.`,
     };
+  if (stage === 'inserted' && trace[place.hand_force_N]! < 0)
+    return { title: 'You are pulling it out.', text: 'Friction along the channel now holds the needle back: the force has turned.' };
   if (stage === 'inserted')
     return {
       title: happened.has('second_buckling') || happened.has('buckling') ? 'It broke through after all.' : 'It went in straight.',
@@ -62,10 +64,12 @@ export function story(stage: Stage, trace: Trace, model: Model, happened: Set<Ev
   return { title: 'Push the needle.', text: 'Pull its hub down in the picture, hold the down arrow key, or press “Steady hand”.' };
 }
 
+const margin = 0.97; // of the longest that should stay straight
+
 function shorter(model: Model): Story['offer'] {
   const length = model.scene.needle?.length_mm;
   if (typeof length !== 'number' || model.scene.tissue?.rigid === true) return undefined;
-  const straight = Math.floor((model.longest_straight_m * 1e3) / 10) * 10;
+  const straight = Math.floor((margin * model.longest_straight_m * 1e3) / 10) * 10;
   if (!(straight >= 20) || straight >= length) return undefined;
   return { words: `Try ${straight} mm, which stays straight`, settings: { 'needle.length_mm': straight } };
 }

@@ -11,7 +11,7 @@ const fit: [number, number, number][] = [
   [-50.76852536473588, 29.04658282127291, 4.23415299384598],
   [18.65570506591883, -11.48977351997711, -5.601961508734096],
 ];
-const ends = { light: [0.95, 0.16], dark: [0.24, 0.99] } as const;
+const ends = { light: [0.965, 0.16], dark: [0.24, 0.99] } as const;
 
 export type Rgb = [number, number, number]; // 0 to 255, sRGB
 

@@ -35,8 +35,10 @@ export interface Style {
   map: Map;
   inset: string;
   skin: string;
+  wall: string;
   skinOpacity: number;
   lines: string;
+  linesOpacity: number;
   steel: string;
   outline: string;
   hub: string;
@@ -59,8 +61,9 @@ export interface Marks {
 export const insetSize = 150; // CSS px
 export const insetHeight = 24e-3; // m
 const hubLength = 24e-3;
-const arrowLength = 45e-3; // m, at the force of the arrow's scale
-const room: Room = { left: 24, right: 24, top: 22, bottom: 26 };
+const arrowLength = 30e-3; // m, at the force of the arrow's scale
+const longestArrow = 1.4; // of that
+const room: Room = { left: 24, right: 24, top: 46, bottom: 24 };
 
 // What is made anew for each model.
 interface Parts {
@@ -85,6 +88,7 @@ export class StageView {
   private clipped = '';
   private frame: Frame | null = null;
   private view: ViewName = 'overview';
+  private length = 0; // m, of needle that a preset view holds
   private turned = false; // by the person, who then keeps the view over a restart
   private arrowEnd = new Vector3();
   largest = 0; // of the field in the frame drawn last
@@ -99,8 +103,10 @@ export class StageView {
     this.scene.add(new AmbientLight(0xffffff, 1.5), this.lamp);
   }
 
-  load(model: Model): void {
+  // `roomFor` m: length of needle that a preset view holds, if longer than the model's
+  load(model: Model, roomFor = 0): void {
     this.clear();
+    this.length = Math.max(roomFor, model.needle_length_m);
     this.rig.axes = axesOf(model.entry_m, model.direction);
     const needle = new Needle(model.needle_radius_m, this.axes.along);
     const arrow = new Arrow(this.axes.along.clone().negate());
@@ -141,8 +147,8 @@ export class StageView {
   private extent(): Vector3[] {
     if (!this.parts) return [];
     const { entry, along, sideways } = this.axes;
-    const length = this.parts.model.needle_length_m;
-    const points = [entry.clone().addScaledVector(along, -(length + hubLength + 0.55 * arrowLength))];
+    const { length } = this;
+    const points = [entry.clone().addScaledVector(along, -(length + hubLength + 0.5 * arrowLength))];
     points.push(entry.clone().addScaledVector(along, -length / 2).addScaledVector(sideways, 0.16 * length));
     const nodes = this.parts.model.nodes_m;
     for (let i = 0; i < nodes.length; i += 3) points.push(new Vector3(nodes[i], nodes[i + 1], nodes[i + 2]));
@@ -186,8 +192,8 @@ export class StageView {
     const { parts } = this;
     parts?.needle.style(style.steel, style.outline, style.hub);
     parts?.arrow.style(style.force);
-    parts?.tissue?.style(style.skin, style.lines, style.skinOpacity);
-    if (parts?.wall) (parts.wall.material as MeshStandardMaterial).color = new Color(style.skin);
+    parts?.tissue?.style(style.skin, style.skinOpacity, style.lines, style.linesOpacity);
+    if (parts?.wall) (parts.wall.material as MeshStandardMaterial).color = new Color(style.wall);
   }
 
   // Returns where the overlay's marks are.
@@ -203,7 +209,8 @@ export class StageView {
         this.largest = parts.tissue.draw(frame, look.field, look.most);
       }
       const foot = parts.needle.hub.position.clone().addScaledVector(this.axes.along, -hubLength - 1.5e-3);
-      this.arrowEnd = parts.arrow.draw(foot, (arrowLength * frame.trace[place.hand_force_N]!) / parts.forceScale);
+      const share = Math.max(-longestArrow, Math.min(longestArrow, frame.trace[place.hand_force_N]! / parts.forceScale));
+      this.arrowEnd = parts.arrow.draw(foot, arrowLength * share);
     }
     this.render(parts, look);
     return this.marks(parts, look);

@@ -36,7 +36,7 @@ export class Tissue {
     this.material = {
       skin: new MeshStandardMaterial({ roughness: 0.75, metalness: 0, transparent: true, opacity: 0.5, side: DoubleSide, depthWrite: false, map }),
       face: new MeshBasicMaterial({ map, side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }),
-      lines: new LineBasicMaterial({ transparent: true, opacity: 0.16 }),
+      lines: new LineBasicMaterial({ transparent: true }),
     };
     const skin = new Mesh(this.geometry.skin, this.material.skin);
     const face = new Mesh(this.geometry.face, this.material.face);
@@ -73,10 +73,11 @@ export class Tissue {
     this.lines.visible = shown;
   }
 
-  style(skin: string, lines: string, opacity: number): void {
+  style(skin: string, opacity: number, lines: string, linesOpacity: number): void {
     this.material.skin.opacity = opacity;
     this.material.skin.color = new Color(skin);
     this.material.lines.color = new Color(lines);
+    this.material.lines.opacity = linesOpacity;
   }
 
   // Draws a frame, coloured from 0 to `most`; returns the largest value of the field.

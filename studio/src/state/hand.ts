@@ -64,7 +64,7 @@ export function handIn(session: Session): (stage: StageView, box: HTMLElement) =
       if (event.ctrlKey || event.metaKey) {
         event.preventDefault();
         stage.zoom(Math.exp(-event.deltaY * 0.002));
-      } else if (!scrolls || box.contains(document.activeElement)) {
+      } else if (!scrolls || box.closest('[tabindex]')?.contains(document.activeElement)) {
         event.preventDefault();
         session.pushBy((event.deltaY / 100) * wheelTravel * (event.shiftKey ? 8 : 1));
       }

@@ -71,11 +71,11 @@ function alongAxis(file: string, group: string, table: string, key: string, titl
 
 function all(): Built[] {
   return [
-    ...alongAxis('fig7a', 'Fig. 7(a): needle length', 'needle', 'length_mm', (v) => `${v} mm needle`),
-    ...alongAxis('fig7b', 'Fig. 7(b): needle radius', 'needle', 'radius_mm', (v) => `radius ${v} mm`),
-    ...listedRuns('fig6', 'Fig. 6: four stages of one push', {
-      clamped_pinned: 'hub clamped, opens at 0.66 N',
-      pinned_pinned: 'hub pinned, opens at 0.325 N',
+    ...alongAxis('fig7a', 'The paper’s Fig. 7(a), by length', 'needle', 'length_mm', (v) => `Fig. 7(a): ${v} mm needle`),
+    ...alongAxis('fig7b', 'The paper’s Fig. 7(b), by radius', 'needle', 'radius_mm', (v) => `Fig. 7(b): radius ${v} mm`),
+    ...listedRuns('fig6', 'The paper’s Fig. 6, four stages of one push', {
+      clamped_pinned: 'Fig. 6: hub clamped, opens at 0.66 N',
+      pinned_pinned: 'Fig. 6: hub pinned, opens at 0.325 N',
     }),
     scene('default', 'Scenes', 'buckles, punctures, buckles again'),
     scene('pause_withdraw_reinsert', 'Scenes', 'stout needle, to go in, out and in again'),

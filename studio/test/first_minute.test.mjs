@@ -10,10 +10,12 @@ after(() => tools.end());
 
 test('it_opens_in_contact_on_the_papers_needle_and_says_what_to_do', async () => {
   const { page, complaints } = await openStudio(tools);
-  assert.equal(await page.locator('#scene option:checked').textContent(), '200 mm needle');
+  assert.equal(await page.locator('#scene option:checked').textContent(), 'Fig. 7(a): 200 mm needle');
   assert.equal(await page.inputValue('#needle-length_mm'), '200');
   assert.match(await page.locator('.story').textContent(), /Push the needle\. Pull its hub down/);
   assert.match(await page.locator('[data-words]').textContent(), /0\.642 N.*1\.00 N.*will not go in/);
+  assert.ok(await page.getByRole('button', { name: 'Steady hand' }).isEnabled());
+  assert.match(await page.locator('.hint').textContent(), /pull the hub down/);
   assert.deepEqual(complaints, []);
 });
 

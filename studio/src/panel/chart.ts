@@ -173,8 +173,11 @@ export class Chart {
       ctx.stroke();
       ctx.setLineDash([]);
       ctx.textAlign = 'right';
-      ctx.fillText(level.words, left + width - 4 * ratio, y - 4 * ratio);
+      ctx.textBaseline = 'bottom';
+      ctx.fillText(level.words, left + width - 4 * ratio, y - 2 * ratio);
     }
+    ctx.restore();
+    ctx.save();
     for (const marker of markers) {
       const x = plot.valToPos(marker.x, 'x', true);
       const y = plot.valToPos(marker.y, 'y', true);

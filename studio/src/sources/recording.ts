@@ -21,6 +21,7 @@ export class Recording {
   readonly traces: Trace[] = [];
   readonly shapes: Shape[] = [];
   readonly events: EngineEvent[] = [];
+  travelled = 0; // m, farthest so far
   private step = shapeStep;
 
   constructor(
@@ -33,12 +34,6 @@ export class Recording {
     return this.traces.length;
   }
 
-  get travelled(): number {
-    let most = 0;
-    for (const trace of this.traces) most = Math.max(most, trace[place.hand_travel_m]!);
-    return most;
-  }
-
   add(frame: Frame): void {
     const last = this.traces.at(-1);
     if (last && frame.trace[place.time_s]! <= last[place.time_s]!) return;
@@ -47,12 +42,17 @@ export class Recording {
       this.traces[this.traces.length - 1] = frame.trace;
       return;
     }
-    this.traces.push(frame.trace);
+    this.keep(frame.trace);
     const kept = this.shapes.at(-1);
     const since = kept ? frame.trace[place.time_s]! - this.traces[kept.at]![place.time_s]! : Infinity;
     if (since < this.step && frame.trace[place.stage] === last?.[place.stage]) return;
     this.shapes.push(shapeOf(frame, this.model, this.traces.length - 1));
     if (this.shapes.length > mostShapes) this.thin();
+  }
+
+  keep(trace: Trace): void {
+    this.traces.push(trace);
+    this.travelled = Math.max(this.travelled, trace[place.hand_travel_m]!);
   }
 
   // Index of the last trace at or before a time [s].

@@ -60,7 +60,7 @@ export async function recordingFrom(text: string): Promise<Recording> {
     return part;
   };
   const recording = new Recording(head.model, head.label, 0);
-  for (let i = 0; i < head.traces; ++i) recording.traces.push(new Float64Array(take(8 * columns.length)));
+  for (let i = 0; i < head.traces; ++i) recording.keep(new Float64Array(take(8 * columns.length)));
   const nodes = head.model.nodes_m.length / 3;
   for (const { at, points, largestStress } of head.shapes) {
     const shape: Shape = {

@@ -49,7 +49,7 @@ export class Session {
   settings = $state.raw<Settings>({});
   preset = $state('');
 
-  private engine: EngineClient | null = null;
+  private engine = $state.raw<EngineClient | null>(null);
   private restart = 0;
   private runs = 0;
   private meter = new RateMeter();

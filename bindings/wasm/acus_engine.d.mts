@@ -7,7 +7,7 @@ export interface EngineModule {
   _acus_command(json: number): void;
   _acus_advance(seconds: number, mostSteps: number): number;
   _acus_next_report(): number; // 0: none
-  _acus_frame_size(): number; // bytes; writes the frame
+  _acus_write_frame(): number; // how many bytes it has
   _acus_frame(): number;
   _acus_state_hash(): number;
   _acus_run_scene(toml: number): number;

@@ -37,7 +37,7 @@ export class Engine {
 
   // The present moment, a copy; null before the first insertion.
   frame(): ArrayBuffer | null {
-    const size = this.module._acus_frame_size();
+    const size = this.module._acus_write_frame();
     if (size === 0) return null;
     const at = this.module._acus_frame();
     return this.module.HEAPU8.slice(at, at + size).buffer as ArrayBuffer;

@@ -26,6 +26,8 @@ const char* handed_out(std::string text) {
   return kept.c_str();
 }
 
+std::span<const std::byte> frame;
+
 nlohmann::json run(const char* toml) {
   const acus::Result<acus::Scene> scene = acus::io::parse_scene(toml, "scene");
   if (!scene) return {{"sentence", scene.error().sentence}};
@@ -51,9 +53,9 @@ const char* acus_next_report() {
   return report ? handed_out(std::move(*report)) : nullptr;
 }
 
-// Writes the present moment; its bytes are at acus_frame().
-std::size_t acus_frame_size() { return session().frame().size(); }
-const std::byte* acus_frame() { return session().frame().data(); }
+// Writes the present moment and returns how many bytes it takes; they are at acus_frame().
+std::size_t acus_write_frame() { return (frame = session().frame()).size(); }
+const std::byte* acus_frame() { return frame.data(); }
 
 // Of the running insertion; empty before the first.
 const char* acus_state_hash() {

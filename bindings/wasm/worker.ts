@@ -24,8 +24,15 @@ export function serve(engine: Engine, port: Port, now = () => performance.now())
   const postReports = () => {
     for (const report of engine.reports()) {
       port.postMessage(report);
-      if (report.startsWith('{"type":"model"')) stale = true;
+      if (report.startsWith('{"type":"model"')) begin();
     }
+  };
+  // A new insertion is shown at rest, and the time it took to build does not count.
+  const begin = () => {
+    last = now();
+    stale = true;
+    lastFrame = -Infinity;
+    postFrame();
   };
   const postFrame = () => {
     if (!stale || now() - lastFrame < frameEvery) return;
@@ -55,7 +62,7 @@ export function serve(engine: Engine, port: Port, now = () => performance.now())
 }
 
 // Commands that come before the engine is there are kept.
-async function begin(port: Port): Promise<void> {
+async function open(port: Port): Promise<void> {
   const early: { data: unknown }[] = [];
   port.onmessage = (message) => early.push(message);
   try {
@@ -70,4 +77,4 @@ async function begin(port: Port): Promise<void> {
   for (const message of early) port.onmessage?.(message);
 }
 
-if (typeof WorkerGlobalScope !== "undefined" && self instanceof WorkerGlobalScope) void begin(self as unknown as Port);
+if (typeof WorkerGlobalScope !== "undefined" && self instanceof WorkerGlobalScope) void open(self as unknown as Port);

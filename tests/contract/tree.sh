@@ -19,7 +19,7 @@ files() {
   fi
 }
 
-sources() { files src apps bench emulators tests | grep -E '\.(cpp|h)$' || true; }
+sources() { files src apps bench bindings emulators tests | grep -E '\.(cpp|h)$' || true; }
 
 # violation WHERE SENTENCE
 violation() {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "acus/numeric/circular.h"
+
 namespace acus::coupling {
 namespace {
 
@@ -48,7 +50,7 @@ void embed_disc_into(Attachment& out, const mesh::Locator& locator, const Vec3& 
     const double r = radius * std::sqrt((points_of(ring) - 0.5 * ring_points) / points_of(rings));
     for (int i = 0; i < ring_points; ++i) {
       const double angle = 2.0 * std::numbers::pi * (i + 0.5) / ring_points;
-      const Vec3 point = centre + r * (std::cos(angle) * u + std::sin(angle) * v);
+      const Vec3 point = centre + r * (numeric::cos(angle) * u + numeric::sin(angle) * v);
       const auto at = locator.locate(point, radius);  // a curved surface may pass below or above the disc
       if (!at) continue;
       ++inside;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "acus/numeric/circular.h"
 #include "acus/numeric/root.h"
 
 namespace acus::needle {
@@ -42,7 +43,8 @@ double critical_load_with_lateral_spring(double bending_rigidity, double free_le
   assert(bending_rigidity > 0.0 && free_length > 0.0 && lateral_stiffness >= 0.0);
   const double bending_stiffness = bending_rigidity / (free_length * free_length * free_length);
   const auto imbalance = [&](double z) {
-    return bending_stiffness * z * z * z * std::cos(z) + lateral_stiffness * (std::sin(z) - z * std::cos(z));
+    return bending_stiffness * z * z * z * numeric::cos(z) +
+           lateral_stiffness * (numeric::sin(z) - z * numeric::cos(z));
   };
   const double free_root = pi / 2.0;
   if (lateral_stiffness == 0.0) return critical_load(bending_rigidity, free_length, Support::clamped_free);

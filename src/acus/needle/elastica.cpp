@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "acus/needle/buckling.h"
+#include "acus/numeric/circular.h"
 #include "acus/numeric/elliptic.h"
 #include "acus/numeric/root.h"
 
@@ -37,17 +38,20 @@ Place place(double phase, double modulus) {
   const auto incomplete = numeric::incomplete_elliptic(phase - pi / 2.0, modulus);
   const double first = incomplete.first + complete.first;
   const double second = incomplete.second + complete.second;
-  return {first, 2.0 * second - first, 2.0 * modulus * std::sin(phase), second};
+  return {first, 2.0 * second - first, 2.0 * modulus * numeric::sin(phase), second};
 }
 
-double tangent_angle(double phase, double modulus) { return 2.0 * std::asin(modulus * std::cos(phase)); }
+double tangent_angle(double phase, double modulus) {
+  return 2.0 * numeric::asin(modulus * numeric::cos(phase));
+}
 
 // T of the clamped-pinned column: between pi and the root of tan z = z, which it leaves downwards as k grows.
 double clamped_pinned_phase(double modulus) {
   // sin T cos(theta) - (2e - m) sin(theta) / (2k), finite at k = 0.
   const auto misalignment = [&](double t) {
-    const double s = modulus * std::cos(t);
-    return std::sin(t) * (1.0 - 2.0 * s * s) - place(t, modulus).x * std::cos(t) * std::sqrt(1.0 - s * s);
+    const double s = modulus * numeric::cos(t);
+    return numeric::sin(t) * (1.0 - 2.0 * s * s) -
+           place(t, modulus).x * numeric::cos(t) * std::sqrt(1.0 - s * s);
   };
   constexpr double margin = 1e-2;  // rad, so that the root at k = 0 lies inside the bracket
   return numeric::bracketed_root(misalignment, pi, clamped_pinned_root + margin);
@@ -79,8 +83,8 @@ Phases phases(Support support, double modulus) {
 ElasticaPoint from_hub(const Place& here, const Place& hub, double axis_angle) {
   const double dx = hub.x - here.x;
   const double dy = here.y - hub.y;
-  return {dx * std::cos(axis_angle) - dy * std::sin(axis_angle),
-          dx * std::sin(axis_angle) + dy * std::cos(axis_angle)};
+  return {dx * numeric::cos(axis_angle) - dy * numeric::sin(axis_angle),
+          dx * numeric::sin(axis_angle) + dy * numeric::cos(axis_angle)};
 }
 
 Elastica elastica_of_modulus(Support support, double modulus) {
@@ -95,12 +99,12 @@ Elastica elastica_of_modulus(Support support, double modulus) {
   e.axis_angle = support == Support::clamped_pinned ? tangent_angle(phase.hub, modulus) : 0.0;
   const double reduced_critical_load = critical_load(1.0, 1.0, support);  // Pcr l^2 / EI
   e.shortening_ratio = 1.0 - from_hub(tip, hub, e.axis_angle).axial / e.reduced_length;
-  e.load_ratio = e.reduced_length * e.reduced_length * std::cos(e.axis_angle) / reduced_critical_load;
+  e.load_ratio = e.reduced_length * e.reduced_length * numeric::cos(e.axis_angle) / reduced_critical_load;
   const double bow = from_hub(place(phase.bow, modulus), hub, e.axis_angle).lateral;
   e.side = bow < 0.0 ? -1.0 : 1.0;
   e.bow_ratio = e.side * bow / e.reduced_length;
   e.tip_slope = tangent_angle(phase.tip, modulus) - e.axis_angle;
-  e.lateral_ratio = std::abs(std::tan(e.axis_angle));
+  e.lateral_ratio = std::abs(numeric::tan(e.axis_angle));
   e.energy_ratio = 2.0 * e.reduced_length / reduced_critical_load *
                    (hub.second - tip.second - (1.0 - modulus) * (1.0 + modulus) * e.reduced_length);
   return e;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "acus/numeric/circular.h"
+
 namespace acus::numeric {
 
 inline constexpr int max_chebyshev_terms = 40;
@@ -29,12 +31,12 @@ template <class Function>
 ChebyshevSeries chebyshev_fit(Function&& f) {
   constexpr int n = max_chebyshev_terms;
   std::array<double, n> sample;
-  for (int j = 0; j < n; ++j) sample[j] = f(std::cos(std::numbers::pi * (j + 0.5) / n));
+  for (int j = 0; j < n; ++j) sample[j] = f(cos(std::numbers::pi * (j + 0.5) / n));
   ChebyshevSeries series;
   double largest = 0.0;
   for (int i = 0; i < n; ++i) {
     double sum = 0.0;
-    for (int j = 0; j < n; ++j) sum += sample[j] * std::cos(std::numbers::pi * i * (j + 0.5) / n);
+    for (int j = 0; j < n; ++j) sum += sample[j] * cos(std::numbers::pi * i * (j + 0.5) / n);
     series.coefficient[i] = sum * (i == 0 ? 1.0 : 2.0) / n;
     largest = std::fmax(largest, std::abs(series.coefficient[i]));
   }

@@ -138,8 +138,10 @@ std::vector<double> grid_matrix(const CoarseSpace& space,
 CoarseSpace build_coarse_space(std::span<const Vec3> positions,
                                const std::function<void(NodeVector&, const NodeVector&)>& multiply) {
   CoarseSpace space;
-  const double wanted = std::cbrt(static_cast<double>(positions.size()) / nodes_per_grid_node);
-  const int count = std::clamp(static_cast<int>(std::lround(wanted)), fewest_planes, most_planes);
+  // The cube of which comes nearest to as many nodes as there should be.
+  const double wanted = static_cast<double>(positions.size()) / nodes_per_grid_node;
+  int count = fewest_planes;
+  while (count < most_planes && (count + 0.5) * (count + 0.5) * (count + 0.5) <= wanted) ++count;
   std::array<Planes, 3> planes;
   for (int c = 0; c < 3; ++c) planes[c] = planes_across(c, positions, count);
   for (const Vec3& x : positions) place(space, planes, x);

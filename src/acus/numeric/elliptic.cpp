@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "acus/numeric/circular.h"
+
 namespace acus::numeric {
 namespace {
 
@@ -70,11 +72,11 @@ EllipticIntegrals incomplete_elliptic(double phi, double modulus) {
   for (int n = 0; n < d.last; ++n) {
     // tan(phi' - phi) = (b/a) tan(phi), written so that no quadrant is lost.
     const auto [a, b, c] = d.means[n];
-    const double s = std::sin(phi);
-    const double co = std::cos(phi);
-    phi = 2.0 * phi - std::atan((a - b) * s * co / (a * co * co + b * s * s));
+    const double s = sin(phi);
+    const double co = cos(phi);
+    phi = 2.0 * phi - atan((a - b) * s * co / (a * co * co + b * s * s));
     scale *= 2.0;
-    sum += d.means[n + 1].c * std::sin(phi);
+    sum += d.means[n + 1].c * sin(phi);
   }
   const double first = phi / (scale * d.means[d.last].a);
   return {first, first * d.second_over_first + sum};
@@ -83,7 +85,7 @@ EllipticIntegrals incomplete_elliptic(double phi, double modulus) {
 double jacobi_amplitude(double u, double modulus) {
   const Descent d = descend(modulus);
   double phi = std::ldexp(d.means[d.last].a * u, d.last);
-  for (int n = d.last; n > 0; --n) phi = 0.5 * (phi + std::asin(d.means[n].c / d.means[n].a * std::sin(phi)));
+  for (int n = d.last; n > 0; --n) phi = 0.5 * (phi + asin(d.means[n].c / d.means[n].a * sin(phi)));
   return phi;
 }
 

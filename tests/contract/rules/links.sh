@@ -10,7 +10,7 @@ while read -r page; do
   done < <(grep -noE '\]\([^)#:]+[^):]*\)' "$page" | sed 's/:\](\(.*\))$/:\1/' || true)
   while IFS=: read -r line path; do
     compgen -G "${path%%:*}" >/dev/null || violation "$page:$line" "names $path, which does not exist"
-  done < <(grep -noE '`(src|apps|tests|bench|docs|scenes|studies|examples)/[^` <>]*`' "$page" | tr -d '\140' || true)
+  done < <(grep -noE '`(src|apps|bindings|tests|bench|docs|scenes|studies|examples)/[^` <>]*`' "$page" | tr -d '\140' || true)
   while read -r path name; do
     path=src/acus/${path//\`/} name=${name//\`/}
     if [[ ! -e $path ]]; then
@@ -18,6 +18,6 @@ while read -r page; do
     elif [[ -n $name ]] && ! grep -qw -- "$name" "${path%.*}".*; then
       violation "$page" "names $name in $path, which does not have it"
     fi
-  done < <(grep -oE '`(base|numeric|mesh|tissue|needle|coupling|force|sim|io|study)/[a-z0-9_]+\.(h|cpp)`( `[A-Za-z_]+`)?' "$page" || true)
+  done < <(grep -oE '`(base|numeric|mesh|tissue|needle|coupling|force|sim|io|view|study)/[a-z0-9_]+\.(h|cpp)`( `[A-Za-z_]+`)?' "$page" || true)
 done < <(files | grep -E '\.md$' || true)
 verdict

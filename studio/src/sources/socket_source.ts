@@ -1,0 +1,67 @@
+// SocketSource: `acus serve` at the other end of a WebSocket. A lost connection is said and taken up again.
+import { readReport, type EngineClient, type Listener } from './engine_client';
+import { decode } from './frame';
+import type { Command } from './protocol';
+
+const firstWait = 500; // ms
+const longestWait = 5000;
+
+export class SocketSource implements EngineClient {
+  readonly kind = 'serve';
+  private socket: WebSocket | null = null;
+  private listener: Listener | null = null;
+  private wait = firstWait;
+  private timer = 0;
+  private closed = false;
+  private opened = false;
+
+  constructor(private readonly address: string) {}
+
+  connect(listener: Listener): void {
+    this.listener = listener;
+    this.open();
+  }
+
+  send(command: Command): void {
+    if (this.socket?.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(command));
+  }
+
+  close(): void {
+    this.closed = true;
+    clearTimeout(this.timer);
+    this.socket?.close();
+  }
+
+  private open(): void {
+    const listener = this.listener!;
+    listener.link('connecting', this.opened ? 'Connecting again to acus serve.' : 'Connecting to acus serve.');
+    const socket = new WebSocket(this.address);
+    this.socket = socket;
+    socket.binaryType = 'arraybuffer';
+    socket.onopen = () => {
+      this.wait = firstWait;
+      this.opened = true;
+      listener.link('open', 'Connected to acus serve.');
+    };
+    socket.onmessage = ({ data }: MessageEvent<string | ArrayBuffer>) => {
+      if (typeof data === 'string') {
+        const report = readReport(data);
+        if (report) listener.report(report);
+      } else {
+        const frame = decode(data);
+        if (frame) listener.frame(frame);
+      }
+    };
+    socket.onclose = () => {
+      if (this.closed) return listener.link('closed', 'The connection was closed.');
+      listener.link(
+        'lost',
+        this.opened
+          ? 'The connection to acus serve is lost; trying again. Nothing pushes the needle meanwhile.'
+          : 'acus serve does not answer; trying again. Is it running, and is the token of this address its own?',
+      );
+      this.timer = window.setTimeout(() => this.open(), this.wait);
+      this.wait = Math.min(longestWait, this.wait * 2);
+    };
+  }
+}

@@ -1,0 +1,102 @@
+// What can be chosen on the page: a control a scene key, with its range, and presets with their sources.
+
+export interface Control {
+  key: string;
+  label: string;
+  unit: string;
+  least: number;
+  most: number;
+  step: number;
+  digits: number;
+  help?: string;
+}
+
+export interface Preset {
+  words: string;
+  settings: Record<string, number | string>;
+  source: string;
+}
+
+export const needleControls: Control[] = [
+  { key: 'needle.length_mm', label: 'Length', unit: 'mm', least: 40, most: 400, step: 5, digits: 0 },
+  { key: 'needle.radius_mm', label: 'Radius', unit: 'mm', least: 0.1, most: 1, step: 0.005, digits: 3 },
+];
+export const tissueControls: Control[] = [
+  { key: 'tissue.youngs_modulus_kPa', label: 'Stiffness', unit: 'kPa', least: 1, most: 100, step: 0.5, digits: 1, help: 'Young’s modulus' },
+];
+export const contactControls: Control[] = [
+  { key: 'contact.rupture_force_N', label: 'Opens at', unit: 'N', least: 0.05, most: 3, step: 0.01, digits: 2, help: 'rupture force: tip force at which the surface gives way' },
+  { key: 'contact.fracture_toughness_J_m2', label: 'Toughness', unit: 'J/m²', least: 0, most: 600, step: 2, digits: 0, help: 'work of cutting per area of crack' },
+  { key: 'contact.friction_N_m', label: 'Friction', unit: 'N/m', least: 0, most: 200, step: 1, digits: 0, help: 'dry friction per inserted length' },
+];
+
+// Outer radii of hypodermic tube, ISO 9626:2016, nominal.
+const gauge = (g: number, outer: number): Preset => ({
+  words: `${g} G, ${outer} mm`,
+  settings: { 'needle.radius_mm': outer / 2 },
+  source: 'ISO 9626:2016, outer diameter; solid here',
+});
+export const gauges: Preset[] = [
+  { words: 'Table I, 0.6 mm', settings: { 'needle.radius_mm': 0.3 }, source: 'the paper’s Table I' },
+  gauge(18, 1.27),
+  gauge(20, 0.91),
+  gauge(21, 0.82),
+  gauge(22, 0.72),
+  gauge(23, 0.64),
+  gauge(25, 0.51),
+  gauge(27, 0.41),
+];
+
+export const materials: Preset[] = [
+  { words: 'Steel, 200 GPa', settings: { 'needle.youngs_modulus_GPa': 200, 'needle.density_kg_m3': 7850 }, source: 'the paper’s Table I' },
+  { words: 'Titanium alloy, 114 GPa', settings: { 'needle.youngs_modulus_GPa': 114, 'needle.density_kg_m3': 4430 }, source: 'Ti-6Al-4V, ASM handbook value' },
+  { words: 'Nitinol, 75 GPa', settings: { 'needle.youngs_modulus_GPa': 75, 'needle.density_kg_m3': 6450 }, source: 'austenite, linear here' },
+  { words: 'PEEK, 3.6 GPa', settings: { 'needle.youngs_modulus_GPa': 3.6, 'needle.density_kg_m3': 1300 }, source: 'unfilled polymer, data-sheet value' },
+];
+
+const support = (value: string, words: string, source: string): Preset => ({ words, settings: { 'needle.support': value }, source });
+export const supports: Preset[] = [
+  support('clamped_pinned', 'clamped, pinned', 'held fast by the hand, the tip rests in tissue'),
+  support('pinned_pinned', 'pinned, pinned', 'free to tilt at both ends: the paper’s Eq. 10'),
+  support('clamped_clamped', 'clamped, clamped', 'held fast at both ends'),
+  support('clamped_free', 'clamped, free', 'held fast by the hand, the tip slides'),
+];
+
+export const tissues: Preset[] = [
+  {
+    words: 'Table I, 25 kPa',
+    settings: { 'tissue.youngs_modulus_kPa': 25, 'contact.fracture_toughness_J_m2': 164, 'contact.friction_N_m': 40 },
+    source: 'Table I; toughness of bovine liver (Gokgol 2012), friction J Endourol 10.1089/end.2016.0342',
+  },
+  {
+    words: 'Easily cut, 25 kPa',
+    settings: { 'tissue.youngs_modulus_kPa': 25, 'contact.fracture_toughness_J_m2': 76, 'contact.friction_N_m': 20 },
+    source: 'toughness at the low end measured, porcine liver; as in studies/fig6.toml',
+  },
+  {
+    words: 'Soft, 5 kPa',
+    settings: { 'tissue.youngs_modulus_kPa': 5, 'contact.fracture_toughness_J_m2': 76, 'contact.friction_N_m': 20 },
+    source: 'order of healthy liver under elastography; a choice to explore, not a measurement',
+  },
+  {
+    words: 'Stiff, 60 kPa',
+    settings: { 'tissue.youngs_modulus_kPa': 60, 'contact.fracture_toughness_J_m2': 300, 'contact.friction_N_m': 80 },
+    source: 'order of fibrous tissue; a choice to explore, not a measurement',
+  },
+];
+
+export const meshes = [
+  { value: 1000, words: 'Coarse, 1 000: fastest' },
+  { value: 3000, words: 'Medium, 3 000' },
+  { value: 10000, words: 'The paper’s, 10 000: slow in a browser' },
+];
+
+// What the page sets on every scene so that a hand can push it in a browser; both are in reach of the person.
+export const pageSettings: Record<string, number | string> = {
+  'tissue.tetrahedra': 3000,
+  'hand.speed_mm_s': 4, // a push goes five times as fast at most: the paper's 20 mm/s
+  'run.solver_tolerance': 1e-4, // moves no force by more than 0.01 % (studies)
+};
+
+export const settingsList = (settings: Record<string, number | string>): string[] =>
+  Object.entries(settings).map(([key, value]) => `${key}=${value}`);

@@ -21,7 +21,7 @@ TEST(FrameAllocation, is_none_before_and_after_the_puncture) {
     frame_into(bytes, *simulation, scratch);
     ASSERT_EQ(allocations, before) << "step " << step;
   }
-  EXPECT_EQ(simulation->frame().stage, Stage::inserted);
+  EXPECT_GT(simulation->frame().inserted_length, 1e-3);
 }
 
 }  // namespace

@@ -57,10 +57,10 @@ std::vector<std::string> cells(const std::string& line) {
 
 void expect_near(const Vec3& a, const Vec3& b) { EXPECT_LT((a - b).norm(), 1e-8) << a << "\n" << b; }
 
-class FrameBytes : public ::testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(, FrameBytes, ::testing::Values("tissue.rigid=false", "tissue.rigid=true"));
+class FrameNumbers : public ::testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(, FrameNumbers, ::testing::Values("tissue.rigid=false", "tissue.rigid=true"));
 
-TEST_P(FrameBytes, numbers_are_those_of_the_trace) {
+TEST_P(FrameNumbers, are_those_of_the_trace) {
   Simulation simulation = built({GetParam()});
   for (int step = 1; step <= 150; ++step) simulation.step(1e-4 * step);
   const std::vector<std::byte> bytes = frame_of(simulation);

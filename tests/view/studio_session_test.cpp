@@ -102,9 +102,10 @@ TEST_F(Session, refused_start_leaves_the_insertion_as_it_was) {
   start();
   send({{"type", "steady"}, {"speed_m_s", 0.02}});
   session.advance(0.0105);
+  reports();
   const double before = travel();
   send({{"type", "start"}, {"scene", "[needle]\nlenght_mm = 3"}});
-  EXPECT_EQ(refusal(), "scene:2:1: needle.lenght_mm is not a key of a scene; did you mean needle.length_mm?");
+  EXPECT_EQ(refusal(), "scene:2:13: needle.lenght_mm is not a key of a scene; did you mean needle.length_mm?");
   send({{"type", "start"}, {"scene", small_scene}, {"settings", {"needle.length_mm=1e9"}}});
   EXPECT_EQ(refusal(), "needle.length_mm must be from 1 to 2000, but is 1000000000");
   send({{"type", "start"}, {"scene", small_scene}, {"settings", {"tissue.mesh=liver.msh"}}});
@@ -119,6 +120,7 @@ TEST_F(Session, second_start_begins_anew) {
   send({{"type", "steady"}, {"speed_m_s", 0.02}});
   session.advance(0.1);
   send({{"type", "pause"}});
+  reports();
   start({"tissue.tetrahedra=200"});
   EXPECT_EQ(time(), 0.0);
   EXPECT_EQ(session.advance(0.0105), 10);

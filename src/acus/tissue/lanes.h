@@ -93,12 +93,35 @@ ACUS_INLINE void out_of_lanes(numeric::Lane4f* node, const numeric::Lane16f* in)
   }
 }
 
+// Four floats: one such quarter.
+ACUS_INLINE void into_lanes(numeric::Lane4f* out, const numeric::Lane4f* node) {
+  const auto low01 = __builtin_shufflevector(node[0], node[1], 0, 4, 1, 5);
+  const auto low23 = __builtin_shufflevector(node[2], node[3], 0, 4, 1, 5);
+  const auto high01 = __builtin_shufflevector(node[0], node[1], 2, 6, 3, 7);
+  const auto high23 = __builtin_shufflevector(node[2], node[3], 2, 6, 3, 7);
+  out[0] = __builtin_shufflevector(low01, low23, 0, 1, 4, 5);
+  out[1] = __builtin_shufflevector(low01, low23, 2, 3, 6, 7);
+  out[2] = __builtin_shufflevector(high01, high23, 0, 1, 4, 5);
+  out[3] = __builtin_shufflevector(high01, high23, 2, 3, 6, 7);
+}
+ACUS_INLINE void out_of_lanes(numeric::Lane4f* node, const numeric::Lane4f* in) { into_lanes(node, in); }
+
+// The floats that a kernel works on at once: all sixteen of a batch, or four where registers hold no more and
+// are so few that sixteen would be kept in memory.
+#ifdef __wasm_simd128__
+using PackedLane = numeric::Lane4f;
+#else
+using PackedLane = numeric::Lane16f;
+#endif
+template <class Real, class Lane>
+inline constexpr int lanes_in = sizeof(Lane) / sizeof(Real);
+
 // Corner `i` of the elements, from and to a field of padded node vectors: four numbers each. `offsets` are
 // those of TissueModel.
-template <class Real>
-ACUS_INLINE void gather_corner(ElementLane<Real>* out, const Real* field, const mesh::Tet* offsets, int i) {
-  NodeLane<Real> node[lane_count<Real>];
-  for (int l = 0; l < lane_count<Real>; ++l) node[l] = numeric::load4(field + offsets[l][i]);
+template <class Real, class Lane>
+ACUS_INLINE void gather_corner(Lane* out, const Real* field, const mesh::Tet* offsets, int i) {
+  NodeLane<Real> node[lanes_in<Real, Lane>];
+  for (int l = 0; l < lanes_in<Real, Lane>; ++l) node[l] = numeric::load4(field + offsets[l][i]);
   into_lanes(out, node);
 }
 template <class Real>
@@ -110,11 +133,38 @@ ACUS_INLINE void add_corner(Real* field, const mesh::Tet* offsets, int i, const 
     numeric::store4(at, numeric::load4(at) + node[l]);
   }
 }
+// Adds the corners of a batch that comes in parts in the order in which add_corner would: corner by corner,
+// and not part by part. A batch in one part is added at once.
+template <class Real, class Lane>
+class BatchSum {
+ public:
+  ACUS_INLINE BatchSum(Real* field, const mesh::Tet* offsets) : field_(field), offsets_(offsets) {}
+  ACUS_INLINE void take(int part, int i, const Lane* in) {
+    if constexpr (whole)
+      add_corner(field_, offsets_, i, in);
+    else
+      out_of_lanes(node_[i] + part * lanes_in<Real, Lane>, in);
+  }
+  ACUS_INLINE void finish() const {
+    if constexpr (!whole)
+      for (int i = 0; i < 4; ++i)
+        for (int l = 0; l < lane_count<Real>; ++l) {
+          Real* at = field_ + offsets_[l][i];
+          numeric::store4(at, numeric::load4(at) + node_[i][l]);
+        }
+  }
+
+ private:
+  static constexpr bool whole = lanes_in<Real, Lane> == lane_count<Real>;
+  Real* field_;
+  const mesh::Tet* offsets_;
+  NodeLane<Real> node_[4][whole ? 1 : lane_count<Real>];
+};
 // The sum over the four corners.
-template <class Real>
-ACUS_INLINE void sum_corners(ElementLane<Real>* out, const Real* field, const mesh::Tet* offsets) {
-  NodeLane<Real> node[lane_count<Real>];
-  for (int l = 0; l < lane_count<Real>; ++l) {
+template <class Real, class Lane>
+ACUS_INLINE void sum_corners(Lane* out, const Real* field, const mesh::Tet* offsets) {
+  NodeLane<Real> node[lanes_in<Real, Lane>];
+  for (int l = 0; l < lanes_in<Real, Lane>; ++l) {
     const mesh::Tet& t = offsets[l];
     node[l] = (numeric::load4(field + t[0]) + numeric::load4(field + t[1])) +
               (numeric::load4(field + t[2]) + numeric::load4(field + t[3]));

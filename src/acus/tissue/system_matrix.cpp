@@ -1,6 +1,7 @@
 #include "acus/tissue/system_matrix.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "acus/tissue/lanes.h"
 
@@ -16,13 +17,14 @@ using numeric::store4;
 class ExactElements {
  public:
   using Real = double;
+  using Lane = numeric::Lane8;
   ACUS_INLINE ExactElements(const TissueModel& m, const Corotation& corotation, double factor)
       : gradient_(corotation.rotated_gradient.data()),
         volume_(m.volume.data()),
         shear_(m.shear.data()),
         lambda_(m.local_lambda.data()),
         factor_(factor) {}
-  ACUS_INLINE void go_to(std::size_t first) { first_ = first; }
+  ACUS_INLINE void go_to(std::size_t first, int) { first_ = first; }
   // q_1, q_2, q_3, component by component
   ACUS_INLINE numeric::Lane8 q(int k) const { return load_lanes(gradient_ + 9 * first_ + k * lanes); }
   ACUS_INLINE numeric::Lane8 mu_v() const { return factor_ * load_lanes(shear_ + first_) * volume(); }
@@ -36,16 +38,23 @@ class ExactElements {
   std::size_t first_ = 0;
 };
 
-// Those of sixteen, packed.
+// Those of sixteen, packed, part by part.
 class PackedElements {
  public:
   using Real = float;
+  using Lane = PackedLane;
   ACUS_INLINE explicit PackedElements(const SystemMatrix& a) : element_(a.element.data()) {}
-  ACUS_INLINE void go_to(std::size_t first) { first_ = element_ + first * element_numbers; }
-  ACUS_INLINE numeric::Lane16f q(int k) const { return load_lanes(first_ + k * padding); }
-  ACUS_INLINE numeric::Lane16f mu_v() const { return q(9); }
-  ACUS_INLINE numeric::Lane16f lambda_v() const { return q(10); }
-  ACUS_INLINE numeric::Lane16f quarter_v() const { return q(11); }
+  ACUS_INLINE void go_to(std::size_t first, int part) {
+    first_ = element_ + first * element_numbers + part * lanes_in<Real, Lane>;
+  }
+  ACUS_INLINE Lane q(int k) const {
+    Lane lane;
+    std::memcpy(&lane, first_ + k * padding, sizeof lane);
+    return lane;
+  }
+  ACUS_INLINE Lane mu_v() const { return q(9); }
+  ACUS_INLINE Lane lambda_v() const { return q(10); }
+  ACUS_INLINE Lane quarter_v() const { return q(11); }
 
  private:
   const float* element_;
@@ -53,9 +62,9 @@ class PackedElements {
 };
 
 // The edges x_i - x_0 of a field on the elements, i = 1 .. 3, component by component.
-template <class Real>
-ACUS_INLINE void gather_edges(ElementLane<Real>* edge, const Real* field, const mesh::Tet* offsets) {
-  ElementLane<Real> origin[4], corner[4];
+template <class Real, class Lane>
+ACUS_INLINE void gather_edges(Lane* edge, const Real* field, const mesh::Tet* offsets) {
+  Lane origin[4], corner[4];
   gather_corner(origin, field, offsets, 0);
   for (int i = 0; i < 3; ++i) {
     gather_corner(corner, field, offsets, i + 1);
@@ -63,56 +72,77 @@ ACUS_INLINE void gather_edges(ElementLane<Real>* edge, const Real* field, const 
   }
 }
 
+// Calls `respond` for the parts of each batch of elements with the part's own `offsets`, and adds up what it
+// puts.
+template <class Elements, class Respond, class Real = typename Elements::Real>
+ACUS_INLINE void add_elements(const TissueModel& m, Elements s, Real* reaction, const Respond& respond) {
+  using Lane = typename Elements::Lane;
+  constexpr int parts = lane_count<Real> / lanes_in<Real, Lane>;
+  for (std::size_t first = 0; first < m.offsets.size(); first += lane_count<Real>) {
+    const mesh::Tet* offsets = m.offsets.data() + first;
+    BatchSum<Real, Lane> sum(reaction, offsets);
+    for (int part = 0; part < parts; ++part) {
+      s.go_to(first, part);
+      respond(
+          s, offsets + part * lanes_in<Real, Lane>,
+          [&](int i, const Lane* force) __attribute__((always_inline)) { sum.take(part, i, force); });
+    }
+    sum.finish();
+  }
+}
+
 // Adds what the elements do by themselves and, `with_dilation`, beside it V tr(G) / 4 for the nodes' means.
 template <bool with_dilation, class Elements, class Real = typename Elements::Real>
-ACUS_INLINE void add_local(const TissueModel& m, Elements s, const Real* field, Real* reaction) {
-  using Lane = ElementLane<Real>;
-  for (std::size_t first = 0; first < m.offsets.size(); first += lane_count<Real>) {
-    s.go_to(first);
-    const mesh::Tet* offsets = m.offsets.data() + first;
-    Lane edge[9], g[9];  // entry (r, c) of G at 3 c + r
-    gather_edges(edge, field, offsets);
-    for (int c = 0; c < 3; ++c)
-      for (int r = 0; r < 3; ++r)
-        g[3 * c + r] = edge[r] * s.q(c) + edge[3 + r] * s.q(3 + c) + edge[6 + r] * s.q(6 + c);
-    const Lane trace = g[0] + g[4] + g[8];
-    const Lane mu = s.mu_v(), two_mu = mu + mu, bulk = s.lambda_v() * trace;
-    const Lane xx = two_mu * g[0] + bulk, yy = two_mu * g[4] + bulk, zz = two_mu * g[8] + bulk;
-    const Lane xy = mu * (g[1] + g[3]), xz = mu * (g[2] + g[6]), yz = mu * (g[5] + g[7]);
-    Lane force[4][4];
-    for (int i = 0; i < 3; ++i) {
-      const Lane qx = s.q(3 * i), qy = s.q(3 * i + 1), qz = s.q(3 * i + 2);
-      force[i + 1][0] = xx * qx + xy * qy + xz * qz;
-      force[i + 1][1] = xy * qx + yy * qy + yz * qz;
-      force[i + 1][2] = xz * qx + yz * qy + zz * qz;
-    }
-    for (int c = 0; c < 3; ++c) force[0][c] = -(force[1][c] + force[2][c] + force[3][c]);
-    for (int i = 0; i < 4; ++i) {
-      force[i][3] = with_dilation ? s.quarter_v() * trace : Lane{};
-      add_corner(reaction, offsets, i, force[i]);
-    }
-  }
+ACUS_INLINE void add_local(const TissueModel& m, const Elements& elements, const Real* field,
+                           Real* reaction) {
+  using Lane = typename Elements::Lane;
+  add_elements(
+      m, elements, reaction,
+      [&](const Elements& s, const mesh::Tet* offsets, const auto& put) __attribute__((always_inline)) {
+        Lane edge[9], g[9];  // entry (r, c) of G at 3 c + r
+        gather_edges(edge, field, offsets);
+        for (int c = 0; c < 3; ++c)
+          for (int r = 0; r < 3; ++r)
+            g[3 * c + r] = edge[r] * s.q(c) + edge[3 + r] * s.q(3 + c) + edge[6 + r] * s.q(6 + c);
+        const Lane trace = g[0] + g[4] + g[8];
+        const Lane mu = s.mu_v(), two_mu = mu + mu, bulk = s.lambda_v() * trace;
+        const Lane xx = two_mu * g[0] + bulk, yy = two_mu * g[4] + bulk, zz = two_mu * g[8] + bulk;
+        const Lane xy = mu * (g[1] + g[3]), xz = mu * (g[2] + g[6]), yz = mu * (g[5] + g[7]);
+        Lane force[4][4];
+        for (int i = 0; i < 3; ++i) {
+          const Lane qx = s.q(3 * i), qy = s.q(3 * i + 1), qz = s.q(3 * i + 2);
+          force[i + 1][0] = xx * qx + xy * qy + xz * qz;
+          force[i + 1][1] = xy * qx + yy * qy + yz * qz;
+          force[i + 1][2] = xz * qx + yz * qy + zz * qz;
+        }
+        for (int c = 0; c < 3; ++c) force[0][c] = -(force[1][c] + force[2][c] + force[3][c]);
+        for (int i = 0; i < 4; ++i) {
+          force[i][3] = with_dilation ? s.quarter_v() * trace : Lane{};
+          put(i, force[i]);
+        }
+      });
 }
 
 // Adds what the nodal pressures do: f_i += (V / 4) (sum over the corners of the pressure) q_i. A pressure
 // stands beside its node's x, where one load brings both.
 template <class Elements, class Real = typename Elements::Real>
-ACUS_INLINE void add_pressure(const TissueModel& m, Elements s, const Real* field, Real* reaction) {
-  using Lane = ElementLane<Real>;
-  for (std::size_t first = 0; first < m.offsets.size(); first += lane_count<Real>) {
-    s.go_to(first);
-    const mesh::Tet* offsets = m.offsets.data() + first;
-    Lane sum[4], force[4][4];
-    sum_corners(sum, field, offsets);
-    const Lane bulk = s.quarter_v() * sum[3];
-    for (int i = 0; i < 3; ++i)
-      for (int c = 0; c < 3; ++c) force[i + 1][c] = bulk * s.q(3 * i + c);
-    for (int c = 0; c < 3; ++c) force[0][c] = -(force[1][c] + force[2][c] + force[3][c]);
-    for (int i = 0; i < 4; ++i) {
-      force[i][3] = Lane{};
-      add_corner(reaction, offsets, i, force[i]);
-    }
-  }
+ACUS_INLINE void add_pressure(const TissueModel& m, const Elements& elements, const Real* field,
+                              Real* reaction) {
+  using Lane = typename Elements::Lane;
+  add_elements(
+      m, elements, reaction,
+      [&](const Elements& s, const mesh::Tet* offsets, const auto& put) __attribute__((always_inline)) {
+        Lane sum[4], force[4][4];
+        sum_corners(sum, field, offsets);
+        const Lane bulk = s.quarter_v() * sum[3];
+        for (int i = 0; i < 3; ++i)
+          for (int c = 0; c < 3; ++c) force[i + 1][c] = bulk * s.q(3 * i + c);
+        for (int c = 0; c < 3; ++c) force[0][c] = -(force[1][c] + force[2][c] + force[3][c]);
+        for (int i = 0; i < 4; ++i) {
+          force[i][3] = Lane{};
+          put(i, force[i]);
+        }
+      });
 }
 
 // reaction = K' field; `pressure_weight(n)` is kappa_n / V_n with the factor.
@@ -146,7 +176,7 @@ ACUS_KERNEL void react_packed(const SystemMatrix& a, const TissueModel& m) {
 ACUS_KERNEL void pack_elements(SystemMatrix& out, const TissueModel& m, const Corotation& corotation) {
   ExactElements from(m, corotation, out.stiffness_factor);
   for (std::size_t first = 0; first < m.offsets.size(); first += lanes) {
-    from.go_to(first);
+    from.go_to(first, 0);
     float* to = &out.element[first / padding * padding * element_numbers + first % padding];
     const auto pack = [&](int k, numeric::Lane8 value) {
       for (int l = 0; l < lanes; ++l) to[k * padding + l] = static_cast<float>(value[l]);

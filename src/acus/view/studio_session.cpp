@@ -81,7 +81,7 @@ void StudioSession::refuse(const std::string& sentence) {
 }
 
 Result<Scene> StudioSession::scene_of(const SceneChoice& choice) const {
-  const Result<Scene> scene = io::parse_scene(choice.toml, "scene", choice.settings);
+  Result<Scene> scene = io::parse_scene(choice.toml, "scene", choice.settings);
   if (!scene) return Error{without_option(scene.error().sentence, choice.settings)};
   return scene;
 }
@@ -101,7 +101,7 @@ void StudioSession::start(const SceneChoice& choice) {
   frame_ = std::move(frame);
   hand_ = LedHand(*scene);
   events_told_ = 0;
-  ended_ = false;
+  paused_ = ended_ = false;
   owed_ = 0.0;
   steps_asked_for_ = 0;
 }

@@ -133,7 +133,7 @@ double taken_back(PassivityLayer& layer, int ticks) {
 }
 
 TEST(PassivityLayer, takes_back_no_more_than_is_owed) {
-  PassivityLayer layer(some_device(), tick);
+  PassivityLayer layer(some_device(), stiffness, tick);
   taken_back(layer, 100);  // the speed is known now
   layer.compare(0.0, 0.0, 0.12e-3, 1.0);
   EXPECT_NEAR(taken_back(layer, 10), 0.12e-3, 0.002e-3);  // in two ticks and a half, but for what is forgiven
@@ -141,7 +141,7 @@ TEST(PassivityLayer, takes_back_no_more_than_is_owed) {
 
 // A needle that took a joule at once is another needle.
 TEST(PassivityLayer, takes_back_no_more_than_a_swing_holds) {
-  PassivityLayer layer(some_device(), tick);
+  PassivityLayer layer(some_device(), stiffness, tick);
   taken_back(layer, 100);
   layer.compare(0.0, 0.0, 1.0, 1.0);
   const double taken = taken_back(layer, 500);
@@ -150,7 +150,7 @@ TEST(PassivityLayer, takes_back_no_more_than_a_swing_holds) {
 }
 
 TEST(PassivityLayer, gives_a_hand_that_was_asked_too_much_no_credit) {
-  PassivityLayer layer(some_device(), tick);
+  PassivityLayer layer(some_device(), stiffness, tick);
   taken_back(layer, 100);
   layer.compare(0.0, 1.0e-3, 0.0, 1.0);
   layer.compare(0.0, 1.0e-3, 0.2e-3, 1.0);
@@ -158,7 +158,7 @@ TEST(PassivityLayer, gives_a_hand_that_was_asked_too_much_no_credit) {
 }
 
 TEST(PassivityLayer, forgives_a_hand_that_came_to_rest) {
-  PassivityLayer layer(some_device(), tick);
+  PassivityLayer layer(some_device(), stiffness, tick);
   layer.compare(0.0, 0.0, 0.2e-3, 1.0);
   for (int i = 0; i < 2000; ++i) layer.damping_force(0.0);
   EXPECT_LT(taken_back(layer, 100), 1e-7);
@@ -166,7 +166,7 @@ TEST(PassivityLayer, forgives_a_hand_that_came_to_rest) {
 
 // A word that says nonsense about what is stored empties the tank, and does not keep it empty for ever.
 TEST(PassivityLayer, takes_no_needle_to_hold_less_than_nothing) {
-  PassivityLayer layer(some_device(), tick);
+  PassivityLayer layer(some_device(), stiffness, tick);
   push(layer, 2.0);
   layer.compare(layer.work(), 0.0, 0.0, -5.0);
   for (int i = 0; i < 200; ++i) layer.moved(0.0, 0.0);  // 1 mW
@@ -174,14 +174,14 @@ TEST(PassivityLayer, takes_no_needle_to_hold_less_than_nothing) {
 }
 
 TEST(PassivityLayer, counts_no_force_that_no_hand_has) {
-  PassivityLayer layer(some_device(), tick);
+  PassivityLayer layer(some_device(), stiffness, tick);
   for (double travel : {0.0, 1e-3}) layer.felt(travel, 1e9);
   EXPECT_NEAR(layer.felt_work(), 1e-3 * 100.0, 1e-12);
 }
 
 // Only so many forces are remembered: of a device that is slower still the oldest of them counts.
 TEST(PassivityLayer, remembers_fifteen_ticks_of_a_longer_delay) {
-  PassivityLayer layer(some_device(20e-3), tick);
+  PassivityLayer layer(some_device(20e-3), stiffness, tick);
   for (int i = 0; i < 15; ++i) layer.moved(0.1e-3, i == 0 ? 1.0 : 0.0);
   EXPECT_EQ(layer.work(), 0.0);
   layer.moved(0.1e-3, 0.0);

@@ -253,9 +253,10 @@ export class StageView {
     renderer.setClearColor(new Color(this.style.inset), 1);
     renderer.clear();
     const shown = arrow.group.visible;
-    arrow.group.visible = false;
+    arrow.group.visible = needle.hub.visible = false;
     renderer.render(this.scene, this.close);
     arrow.group.visible = shown;
+    needle.hub.visible = true;
   }
 
   // Near the entry, but not lower than what keeps the dent in the close-up.

@@ -74,8 +74,8 @@ function all(): Built[] {
     ...alongAxis('fig7a', 'The paper’s Fig. 7(a), by length', 'needle', 'length_mm', (v) => `Fig. 7(a): ${v} mm needle`),
     ...alongAxis('fig7b', 'The paper’s Fig. 7(b), by radius', 'needle', 'radius_mm', (v) => `Fig. 7(b): radius ${v} mm`),
     ...listedRuns('fig6', 'The paper’s Fig. 6, four stages of one push', {
-      clamped_pinned: 'Fig. 6: hub clamped, opens at 0.66 N',
-      pinned_pinned: 'Fig. 6: hub pinned, opens at 0.325 N',
+      clamped_pinned: 'Fig. 6: hub clamped, 0.66 N',
+      pinned_pinned: 'Fig. 6: hub pinned, 0.325 N',
     }),
     scene('default', 'Scenes', 'buckles, punctures, buckles again'),
     scene('pause_withdraw_reinsert', 'Scenes', 'stout needle, to go in, out and in again'),

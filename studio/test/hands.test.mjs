@@ -115,3 +115,18 @@ test('the_slider_is_a_hand_too', async () => {
   for (let i = 0; i < 20; ++i) await page.keyboard.press('ArrowRight');
   await goes(page, start + 1.8);
 });
+
+test('a_gamepad_pushes_and_rumbles_when_the_needle_buckles', async () => {
+  const { page } = await openStudio(tools);
+  const start = await settled(page);
+  await page.evaluate(() => {
+    window.rumbles = [];
+    window.pad = { axes: [0, 1], buttons: [], vibrationActuator: { playEffect: (kind, { duration }) => (window.rumbles.push(duration), Promise.resolve('complete')) } };
+    navigator.getGamepads = () => [window.pad];
+    window.dispatchEvent(new Event('gamepadconnected'));
+  });
+  await goes(page, start + 3);
+  await stageIs(page, 'buckled');
+  await page.evaluate(() => (window.pad.axes[1] = 0.05)); // within what counts as rest
+  assert.deepEqual(await page.evaluate(() => window.rumbles), [220]);
+});

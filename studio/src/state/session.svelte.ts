@@ -7,7 +7,7 @@ import { Recording } from '../sources/recording';
 import { RecordingSource } from '../sources/recording_source';
 import { settingsList } from './choices';
 import { RateMeter } from './rate_meter';
-import { eventWord } from './words';
+import { eventWord, labelOf } from './words';
 import { millimetres, newtons } from './units';
 
 const keptRuns = 6;
@@ -137,7 +137,7 @@ export class Session {
     this.keep();
     if (this.hello?.source === 'serve' && this.preset === '' && Object.keys(this.settings).length === 0) this.base = model.scene_toml;
     this.model = this.expectation = model;
-    this.run = new Recording(model, this.label(model), ++this.runs);
+    this.run = new Recording(model, labelOf(model), ++this.runs);
     this.events = [];
     this.frame = null;
     this.refused = this.failed = '';
@@ -152,13 +152,6 @@ export class Session {
   private keep(): void {
     const run = this.run;
     if (run && run.travelled > worthKeeping) this.earlier = [run, ...this.earlier].slice(0, keptRuns);
-  }
-
-  private label(model: Model): string {
-    const needle = model.scene.needle ?? {};
-    const opens = model.scene.tissue?.rigid === true ? 'on a wall' : `opens at ${newtons(model.rupture_force_N, 2)}`;
-    const support = String(needle.support ?? '').replaceAll('_', '-');
-    return `${needle.length_mm} mm, r ${needle.radius_mm} mm, ${opens}, ${support}`;
   }
 
   private takeFrame(frame: Frame): void {

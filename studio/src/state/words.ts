@@ -23,6 +23,14 @@ export const eventWord: Record<EventName, string> = {
   exit: 'Tip out',
 };
 
+// A run in a few words, to tell it from others.
+export function labelOf(model: Model): string {
+  const needle = model.scene.needle ?? {};
+  const opens = model.scene.tissue?.rigid === true ? 'on a wall' : `opens at ${newtons(model.rupture_force_N, 2)}`;
+  const support = String(needle.support ?? '').replaceAll('_', '-');
+  return `${needle.length_mm} mm, r ${needle.radius_mm} mm, ${opens}, ${support}`;
+}
+
 export interface Story {
   title: string;
   text: string;

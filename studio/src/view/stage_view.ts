@@ -16,47 +16,11 @@ import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { place, type Frame } from '../sources/frame';
 import type { Model } from '../sources/protocol';
 import { Arrow } from './arrow';
-import { mapTexture, paint, type Map } from './colours';
+import { mapTexture, paint } from './colours';
+import type { Look, Marks, Point, Style } from './look';
 import { Needle } from './needle';
 import { axesOf, Rig, type Axes, type Room, type ViewName } from './rig';
-import { Tissue, type Field } from './tissue';
-
-export interface Look {
-  field: Field;
-  most: number; // of the field's legend, SI
-  clip: boolean;
-  clipShift: number; // m, of the clip plane off the needle's axis
-  mesh: boolean;
-  inset: boolean;
-  target: number; // m, depth
-}
-
-export interface Style {
-  map: Map;
-  inset: string;
-  skin: string;
-  wall: string;
-  skinOpacity: number;
-  lines: string;
-  linesOpacity: number;
-  steel: string;
-  outline: string;
-  hub: string;
-  force: string;
-}
-
-type Point = { x: number; y: number };
-// Places of the overlay, CSS pixels.
-export interface Marks {
-  entry: Point;
-  target: Point;
-  hub: Point;
-  hubTop: Point;
-  arrow: Point;
-  bow: Point; // the point of the needle farthest from the line hub-entry
-  chord: Point; // and that line's point beside it
-  scale: number; // px a metre
-}
+import { Tissue } from './tissue';
 
 export const insetSize = 150; // CSS px
 export const insetHeight = 24e-3; // m
@@ -253,9 +217,10 @@ export class StageView {
     renderer.setClearColor(new Color(this.style.inset), 1);
     renderer.clear();
     const shown = arrow.group.visible;
-    arrow.group.visible = false;
+    arrow.group.visible = needle.hub.visible = false;
     renderer.render(this.scene, this.close);
     arrow.group.visible = shown;
+    needle.hub.visible = true;
   }
 
   // Near the entry, but not lower than what keeps the dent in the close-up.

@@ -122,7 +122,9 @@ TEST(StudioServer, tells_a_page_what_there_is_and_shows_it_moving) {
   for (int i = 0; i < 1000 && travel < 5e-3; ++i) travel = page.number(hand_travel);
   EXPECT_NEAR(travel, 5e-3, 1e-9);
   EXPECT_GT(page.number(hand_force), 0.5);  // bent against the stop, near its critical load of 0.64 N
-  EXPECT_EQ(page.next("loop").count("real_time_factor"), 1U);
+  const json loop = page.next("loop");
+  EXPECT_EQ(loop.count("real_time_factor"), 1U);
+  EXPECT_EQ(loop["owner"], true);
 }
 
 TEST(StudioServer, tells_whoever_comes_later_what_has_happened) {
@@ -154,6 +156,7 @@ TEST(StudioServer, lets_one_page_lead_at_a_time) {
   second.say({{"type", "steady"}, {"speed_m_s", 0.01}});
   EXPECT_NE(second.next("refused")["sentence"].get<std::string>().find("another page leads"),
             std::string::npos);
+  EXPECT_EQ(second.next("loop")["owner"], false);
   second.say({{"type", "check"}, {"scene", "needle.length_mm = 300"}});  // to ask is free
   EXPECT_NEAR(second.next("expectation")["critical_load_N"].get<double>(), 0.2854, 1e-3);
   gone = true;

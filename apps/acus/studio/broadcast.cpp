@@ -62,8 +62,13 @@ std::vector<std::string> Broadcast::reports_since(Place& place) const {
   const std::uint64_t missed =
       std::min<std::uint64_t>(passed_ - std::exchange(place.passing, passed_), passing_.size());
   news.insert(news.end(), passing_.end() - static_cast<std::ptrdiff_t>(missed), passing_.end());
-  if (std::exchange(place.status, status_number_) != status_number_) news.push_back(status_);
   return news;
+}
+
+std::optional<std::string> Broadcast::status_since(Place& place) const {
+  const std::lock_guard lock(mutex_);
+  if (std::exchange(place.status, status_number_) == status_number_) return std::nullopt;
+  return status_;
 }
 
 bool Broadcast::frame_since(Place& place, std::string& bytes) const {

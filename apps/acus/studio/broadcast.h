@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,8 @@ class Broadcast {
   Place beginning() const;
   // The reports since `place`, oldest first; all of the present insertion for a client that is new.
   std::vector<std::string> reports_since(Place& place) const;
+  // The newest status, where there is one since `place`.
+  std::optional<std::string> status_since(Place& place) const;
   // Whether there is a frame since `place`, and then its bytes.
   bool frame_since(Place& place, std::string& bytes) const;
 

@@ -15,9 +15,10 @@ class Lease {
     renewed_ = now;
     return true;
   }
-  bool held_by(long client, double now) const {
+  // Whether `client` could take it.
+  bool is_open_to(long client, double now) const {
     const std::lock_guard lock(mutex_);
-    return client == client_ && now - renewed_ <= lasts;
+    return client == client_ || client_ == nobody || now - renewed_ > lasts;
   }
   // Whoever had it has gone.
   void give_back(long client) {

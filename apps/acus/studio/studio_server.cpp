@@ -31,6 +31,12 @@ class Allowance {
   double left_ = most_messages, last_;  // messages; s
 };
 
+// The report `loop`, and whether whoever is told may lead.
+std::string with_owner(std::string status, bool owner) {
+  status.pop_back();  // its last bracket
+  return status + (owner ? R"(,"owner":true})" : R"(,"owner":false})");
+}
+
 }  // namespace
 
 StudioServer::StudioServer(Engine& engine) : engine_(engine), token_(net::new_token()) {}
@@ -95,6 +101,9 @@ void StudioServer::serve(net::WebSocket& client, const std::function<bool()>& st
     }
     for (const std::string& report : broadcast_.reports_since(place))
       there = there && client.send(report, patience);
+    if (const auto status = broadcast_.status_since(place))
+      there = there && client.send(with_owner(*status, lease_.is_open_to(number, haptics::monotonic_time())),
+                                   patience);
     if (there && broadcast_.frame_since(place, message)) there = client.send_bytes(message, patience);
   }
   lease_.give_back(number);

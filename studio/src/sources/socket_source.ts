@@ -5,6 +5,7 @@ import type { Command } from './protocol';
 
 const firstWait = 500; // ms
 const longestWait = 5000;
+const betweenHolds = 250; // ms, at which a page that leads says so
 
 export class SocketSource implements EngineClient {
   readonly kind = 'serve';
@@ -12,6 +13,7 @@ export class SocketSource implements EngineClient {
   private listener: Listener | null = null;
   private wait = firstWait;
   private timer = 0;
+  private holding = 0;
   private closed = false;
   private opened = false;
 
@@ -23,12 +25,22 @@ export class SocketSource implements EngineClient {
   }
 
   send(command: Command): void {
-    if (this.socket?.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(command));
+    if (this.socket?.readyState !== WebSocket.OPEN) return;
+    this.socket.send(JSON.stringify(command));
+    // From its first command on it leads, and says so, until another one does.
+    if (command.type !== 'check' && command.type !== 'hold' && this.holding === 0)
+      this.holding = window.setInterval(() => this.send({ type: 'hold' }), betweenHolds);
+  }
+
+  private letGo(): void {
+    clearInterval(this.holding);
+    this.holding = 0;
   }
 
   close(): void {
     this.closed = true;
     clearTimeout(this.timer);
+    this.letGo();
     this.socket?.close();
   }
 
@@ -46,6 +58,7 @@ export class SocketSource implements EngineClient {
     socket.onmessage = ({ data }: MessageEvent<string | ArrayBuffer>) => {
       if (typeof data === 'string') {
         const report = readReport(data);
+        if (report?.type === 'loop' && !report.owner) this.letGo();
         if (report) listener.report(report);
       } else {
         const frame = decode(data);
@@ -53,6 +66,7 @@ export class SocketSource implements EngineClient {
       }
     };
     socket.onclose = () => {
+      this.letGo();
       if (this.closed) return listener.link('closed', 'The connection was closed.');
       listener.link(
         'lost',

@@ -54,6 +54,7 @@ export class Session {
   private runs = 0;
   private meter = new RateMeter();
   private wasPaused = false;
+  private touchDue = false; // the first touch waits until the server has said who leads
   onEvent: ((event: EventName) => void) | null = null;
 
   get stage(): Stage {
@@ -62,8 +63,12 @@ export class Session {
   get live(): boolean {
     return this.player === null;
   }
+  // A haptic device holds the hub, in real time; the page watches.
+  get deviceLeads(): boolean {
+    return this.hello?.source === 'serve' && this.hello.device !== null;
+  }
   get canPush(): boolean {
-    return this.engine !== null && this.link === 'open' && this.live && !this.starting && !this.failed && this.loop?.owner !== false;
+    return !this.deviceLeads && this.engine !== null && this.link === 'open' && this.live && !this.starting && !this.failed && this.loop?.owner !== false;
   }
   get mostTravel(): number {
     if (!this.model) return 0.08;
@@ -121,6 +126,8 @@ export class Session {
       case 'loop':
         this.loop = report;
         this.realTimeFactor = report.real_time_factor;
+        if (this.touchDue && report.owner && (this.frame?.trace.hand_travel_m ?? 0) < firstTouch) this.push(firstTouch);
+        this.touchDue = false;
     }
   }
 
@@ -144,9 +151,10 @@ export class Session {
     this.starting = false;
     this.steadySpeed = 0;
     this.meter = new RateMeter();
-    this.engine?.send({ type: 'rate', factor: this.rate });
-    this.engine?.send({ type: this.paused ? 'pause' : 'resume' });
-    if (this.hello?.device == null) this.push(firstTouch);
+    if (this.rate !== 1 && !this.deviceLeads) this.engine?.send({ type: 'rate', factor: this.rate });
+    if (this.paused) this.engine?.send({ type: 'pause' }); // a new insertion runs by itself
+    this.touchDue = this.hello?.source === 'serve';
+    if (!this.touchDue) this.push(firstTouch);
   }
 
   private keep(): void {

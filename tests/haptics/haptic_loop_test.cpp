@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <initializer_list>
+#include <thread>
 #include <vector>
 
 #include "acus/haptics/simulated_device.h"
@@ -113,6 +115,33 @@ TEST(HapticLoop, lets_go_and_stands_still_when_it_is_asked_to) {
   }
   EXPECT_EQ(phase, done);
   EXPECT_GT(force_before, 0.3);  // the needle went on to push; only the device let go
+}
+
+// A simulation that was silent for too long leaves a fault, until somebody asks to arm the gate again.
+TEST(HapticLoop, is_armed_again_when_whoever_watches_asks_for_it) {
+  Result<Simulation> simulation = Simulation::build(held_by(*find_device_limits("touch"), testing_machine()));
+  SimulatedDevice device(*find_device_limits("touch"), light_grip, [](double) { return 0.0; });
+  LoopControl control;
+  LoopSettings settings;
+  settings.control = &control;
+  std::atomic<bool> stop{false};
+  enum { beginning, silent, asked, armed } phase = beginning;
+  long faulty_looks = 0;
+  settings.watch = [&](const Simulation&, const LoopStatus& status) {
+    if (phase == beginning && status.gate == GateState::armed) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(150));
+      phase = silent;
+    } else if (phase == silent && status.fault == GateFault::stale && ++faulty_looks > 50) {
+      ++control.arm_requests;
+      phase = asked;
+    } else if (phase == asked && status.fault == GateFault::none) {
+      phase = armed;
+      stop = true;
+    }
+  };
+  const StopAfter safety(60.0, stop);
+  run_loop(device, *simulation, settings, safety.flag());
+  EXPECT_EQ(phase, armed);
 }
 
 // A simulation that ends with a failed step falls silent, and the loop goes on without force.

@@ -62,10 +62,13 @@ class DeviceEngine final : public Engine {
     settings.recorder = settings_.recorder;
     settings.control = &control_;
     settings.announce = [](haptics::GateFault fault) {
-      std::printf("%s\n", fault == haptics::GateFault::none ? "The force is armed again."
-                                                            : ("Force off: " + haptics::in_words(fault) +
-                                                               ". A button of the device arms it again.")
-                                                                  .c_str());
+      std::printf(
+          "%s\n",
+          fault == haptics::GateFault::none
+              ? "The force is armed again."
+              : ("Force off: " + haptics::in_words(fault) +
+                 ". A button of the device arms it again, once the needle pushes with less than 0.2 N.")
+                    .c_str());
       std::fflush(stdout);
     };
     bool told_failure = false;
@@ -101,7 +104,10 @@ class DeviceEngine final : public Engine {
   }
   void obey(const view::Pause&) { control_.paused = true; }
   void obey(const view::Resume&) { control_.paused = false; }
-  void obey(const view::Arm&) { control_.armed = true; }
+  void obey(const view::Arm&) {
+    control_.armed = true;
+    ++control_.arm_requests;
+  }
   void obey(const view::Disarm&) { control_.armed = false; }
   template <class Other>
   void obey(const Other&) {

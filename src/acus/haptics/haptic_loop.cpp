@@ -57,7 +57,7 @@ class LoopTick final : public Tick {
     if (word.time >= 0.0) report_.age.add(state.time - word.time);
     if (stop_.load(std::memory_order_relaxed)) servo_.let_go();
     // Whoever holds the device says when the force may come back after a fault.
-    if ((state.buttons & ~buttons_) != 0) servo_.rearm();
+    if ((state.buttons & ~buttons_) != 0 || asked_to_arm()) servo_.rearm();
     buttons_ = state.buttons;
     const Wrench wrench = servo_.tick(as_controlled(state), word);
     if (stop_.load(std::memory_order_relaxed) && wrench.force.isZero() && wrench.torque.isZero())
@@ -73,6 +73,12 @@ class LoopTick final : public Tick {
   DeviceState as_controlled(DeviceState state) const noexcept {
     if (control_ != nullptr) state.ready = state.ready && control_->armed && !control_->paused;
     return state;
+  }
+
+  bool asked_to_arm() noexcept {
+    const long before = arm_requests_;
+    if (control_ != nullptr) arm_requests_ = control_->arm_requests;
+    return arm_requests_ != before;
   }
 
   LoopStatus status_after(const Wrench& wrench) noexcept {
@@ -101,6 +107,7 @@ class LoopTick final : public Tick {
   const std::atomic<bool>& stop_;
   std::atomic<bool> over_{false};
   unsigned buttons_ = 0;
+  long arm_requests_ = 0;
   double last_ = 0.0;  // s
 };
 

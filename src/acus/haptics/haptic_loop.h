@@ -26,8 +26,9 @@ struct LoopStatus {
 
 // What may be asked of the loop while it runs, from any thread.
 struct LoopControl {
-  std::atomic<bool> armed{true};    // false: the force is let go; it comes back as at the start
-  std::atomic<bool> paused{false};  // the simulation stands still, and the force is let go
+  std::atomic<bool> armed{true};      // false: the force is let go; it comes back as at the start
+  std::atomic<bool> paused{false};    // the simulation stands still, and the force is let go
+  std::atomic<long> arm_requests{0};  // one more of them arms the gate again after a fault
 };
 
 struct LoopSettings {

@@ -126,7 +126,7 @@ export class Session {
       case 'loop':
         this.loop = report;
         this.realTimeFactor = report.real_time_factor;
-        if (this.touchDue && report.owner && (this.frame?.trace.hand_travel_m ?? 0) < firstTouch) this.push(firstTouch);
+        if (this.touchDue && report.owner && (this.frame?.trace[place.hand_travel_m] ?? 0) < firstTouch) this.push(firstTouch);
         this.touchDue = false;
     }
   }

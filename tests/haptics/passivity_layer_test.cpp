@@ -28,19 +28,22 @@ void push(PassivityLayer& layer, double force) {
   for (int i = 0; i < 10; ++i) layer.moved(0.1e-3, force);
 }
 
+// The trapezoid of force over way, but for the quantum in which the hand turns round.
 TEST(PassivityLayer, counts_what_the_hand_does_to_the_device) {
   PassivityLayer layer(some_device(), stiffness, tick);
   push(layer, 2.0);
-  EXPECT_NEAR(layer.work(), 2e-3, 1e-12);
+  EXPECT_NEAR(layer.work(), 0.95e-3 * 2.0, 1e-12);
   for (int i = 0; i < 5; ++i) layer.moved(-0.1e-3, 1.0);
-  EXPECT_NEAR(layer.work(), 1.5e-3, 1e-12);
+  EXPECT_NEAR(layer.work(), 1.9e-3 - 0.05e-3 * 1.5 - 0.4e-3 * 1.0, 1e-12);
 }
 
 // An encoder shows a slow motion in one tick of many: the force of all of them counts.
 TEST(PassivityLayer, counts_the_mean_force_of_a_motion_that_shows_late) {
   PassivityLayer layer(some_device(), stiffness, tick);
+  for (int i = 1; i <= 10; ++i) layer.moved(i % 10 == 0 ? 0.05e-3 : 0.0, i % 2 == 0 ? 1.0 : 0.0);
+  const double before = layer.work();
   for (int i = 1; i <= 20; ++i) layer.moved(i % 10 == 0 ? 0.05e-3 : 0.0, i % 2 == 0 ? 1.0 : 0.0);
-  EXPECT_NEAR(layer.work(), 2 * 0.05e-3 * 0.5, 1e-12);
+  EXPECT_NEAR(layer.work() - before, 2 * 0.05e-3 * 0.5, 1e-12);
 }
 
 TEST(PassivityLayer, counts_a_force_when_it_is_shown_and_not_when_it_is_told) {
@@ -49,16 +52,37 @@ TEST(PassivityLayer, counts_a_force_when_it_is_shown_and_not_when_it_is_told) {
   layer.moved(0.1e-3, 0.0);
   EXPECT_EQ(layer.work(), 0.0);
   layer.moved(0.1e-3, 0.0);
+  layer.moved(0.1e-3, 0.0);
   EXPECT_NEAR(layer.work(), 0.1e-3, 1e-12);
+}
+
+// A handle that hums for an hour over the edge of a quantum, a spring's force to and fro, has gone nowhere.
+// Where forces are held it pays for each crossing, K times a quantum squared for both ways.
+TEST(PassivityLayer, counts_a_hum_between_two_quanta_as_no_way) {
+  const double quantum = some_device().quantum;
+  const auto work_of_crossings = [&](bool held_between) {
+    PassivityLayer layer(some_device(), stiffness, tick);
+    push(layer, 2.0);
+    layer.moved(quantum, 2.0, held_between);
+    const double before = layer.work();
+    for (int i = 0; i < 1000; ++i) {
+      layer.moved(-quantum, 2.0 + stiffness * quantum, held_between);
+      layer.moved(quantum, 2.0, held_between);
+    }
+    return layer.work() - before;
+  };
+  EXPECT_EQ(work_of_crossings(false), 0.0);
+  EXPECT_NEAR(work_of_crossings(true), -1000 * stiffness * quantum * quantum, 1e-9);
 }
 
 TEST(PassivityLayer, allows_what_the_tank_can_pay_for) {
   PassivityLayer layer(some_device(), stiffness, tick);
-  layer.moved(0.1e-3, 1.0);
+  layer.moved(0.1e-3, 2.0);
+  const double filled = 0.1e-3;                                            // J
   EXPECT_EQ(layer.ceiling(1.0), std::numeric_limits<double>::infinity());  // against the motion
-  EXPECT_NEAR(layer.ceiling(-1.0), 0.1e-3 / 0.15e-3, 1e-9);  // with it: a tick's way and a quantum
+  EXPECT_NEAR(layer.ceiling(-1.0), filled / 0.15e-3, 1e-9);  // with it: a tick's way and a quantum
   layer.moved(0.0, 1.0);
-  EXPECT_NEAR(layer.ceiling(1.0), 0.1e-3 / 0.05e-3, 1e-9);  // at rest: a quantum
+  EXPECT_NEAR(layer.ceiling(1.0), filled / 0.05e-3, 1e-9);  // at rest: a quantum
   PassivityLayer empty(some_device(), stiffness, tick);
   empty.moved(-0.1e-3, 1.0);
   EXPECT_EQ(empty.ceiling(1.0), 0.0);

@@ -24,6 +24,9 @@ class HoldDamper {
   // felt force is `stiffness` [N/m] stiff. N; nothing in a tick whose force may be held.
   double force(double step, double stiffness, bool may_be_held) noexcept;
 
+  // Whether words come so rarely that the gate holds the force between them.
+  bool holds() const { return held_ > 0.0; }
+
  private:
   double period_;
   double held_ = 0.0;  // s, in each period of the words

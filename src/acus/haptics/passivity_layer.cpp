@@ -20,18 +20,25 @@ PassivityLayer::PassivityLayer(const DeviceLimits& limits, double stiffness, dou
       delay_time_(limits.delay),
       delay_(std::min(static_cast<std::size_t>(std::lround(limits.delay / period)), most_on_the_way - 1)) {}
 
-void PassivityLayer::moved(double step, double told) noexcept {
+void PassivityLayer::moved(double step, double told, bool held_between) noexcept {
   constexpr double recovery = 1e-3;  // W, chosen: half a second for what a bent needle holds
   lost_ = std::max(lost_ - recovery * period_, 0.0);
   newest_ = (newest_ + 1) % most_on_the_way;
   told_[newest_] = told;
-  shown_sum_ += told_[(newest_ + most_on_the_way - delay_) % most_on_the_way];
+  const double shown = told_[(newest_ + most_on_the_way - delay_) % most_on_the_way];
+  shown_sum_ += shown;
   ++shown_ticks_;
   step_ = std::abs(step) <= longest_step ? step : 0.0;
   if (step == 0.0) return;
-  // A slow motion shows in one tick what it went in many, against the mean of what was shown in them.
-  work_ += step_ * shown_sum_ / static_cast<double>(shown_ticks_);
-  shown_sum_ = 0.0;
+  // A slow motion shows in one tick what it went in many, against the mean of what was shown in them. It went
+  // over the edges of a quantum somewhere within their ticks: half of the last one's force is the next one's.
+  // And what comes back over an edge is where it was when it went over it.
+  const double later = held_between ? 0.0 : 0.5 * shown;
+  const bool back = !held_between && step_ * last_step_ < 0.0;
+  const double way = back ? step_ - std::copysign(std::min(quantum_, std::abs(step_)), step_) : step_;
+  work_ += way * (shown_sum_ - later) / static_cast<double>(shown_ticks_);
+  last_step_ = step_;
+  shown_sum_ = later;
   shown_ticks_ = 0;
 }
 

@@ -31,8 +31,10 @@ class PassivityLayer {
   PassivityLayer(const DeviceLimits& limits, double stiffness, double period);
 
   // Once a tick, before all else: the device has moved by `step` [m] since the last one, in which it was told
-  // to show `told` [N]. What it shows comes later by the device's delay.
-  void moved(double step, double told) noexcept;
+  // to show `told` [N]. What it shows comes later by the device's delay. Where the gate holds forces between
+  // words, the account stays on the hand's side: to and fro over the edge of a quantum it pays for both ways,
+  // and a swing on wrong guesses runs dry.
+  void moved(double step, double told, bool held_between = false) noexcept;
 
   // Once a tick: the hand is at `travel` [m] along the needle, against `force` [N] by the local force.
   void felt(double travel, double force) noexcept;
@@ -66,6 +68,7 @@ class PassivityLayer {
   double delay_time_;                    // s
   std::size_t delay_;                    // whole ticks
   double step_ = 0.0;                    // m, of the last tick
+  double last_step_ = 0.0;               // m, of the last tick in which the device was seen to move
   std::array<double, most_on_the_way> told_{};
   std::size_t newest_ = 0;
   double shown_sum_ = 0.0;  // N, since the device was last seen to move

@@ -66,7 +66,7 @@ Wrench Servo::tick(const DeviceState& device, const LocalForce& local) noexcept 
   const double age = speaks ? std::max(device.time - local.time, 0.0) : never;
   const Vec3 step = device.position - position_;
   const double shown = -forward_.dot(shown_);
-  passivity_.moved(placed_ ? forward_.dot(step) : 0.0, shown - answered_);
+  passivity_.moved(placed_ ? forward_.dot(step) : 0.0, shown - answered_, hold_damper_.holds());
   answered_ = 0.0;
   // A device that jumps is no hand that moves: the needle stays where it is, and the gate sees the speed.
   const bool jumps = placed_ && step.allFinite() && step.norm() > longest_step;

@@ -209,6 +209,8 @@ TEST(PassivityLayer, remembers_fifteen_ticks_of_a_longer_delay) {
   for (int i = 0; i < 15; ++i) layer.moved(0.1e-3, i == 0 ? 1.0 : 0.0);
   EXPECT_EQ(layer.work(), 0.0);
   layer.moved(0.1e-3, 0.0);
+  EXPECT_NEAR(layer.work(), 0.05e-3, 1e-12);  // half of it belongs to the tick after
+  layer.moved(0.1e-3, 0.0);
   EXPECT_NEAR(layer.work(), 0.1e-3, 1e-12);
 }
 

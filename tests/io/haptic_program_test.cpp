@@ -59,10 +59,10 @@ TEST(HapticProgram, records_a_hand_at_the_end_of_a_wire_and_replays_it_to_the_sa
   {
     const EmulatedService service("--service 3.1 --speed 20 --way 30 --seconds 5");
     ASSERT_FALSE(service.port().empty());
-    const ProgramRun served = run_program(
-        {"serve", ACUS_SOURCE_DIR "/scenes/bare_column.toml", "--device", "haply:" + service.port(), "--port",
-         "0", "--seconds", "3", "--port", "0", "--record", "hand.acusrec"},
-        folder);
+    const ProgramRun served =
+        run_program({"serve", ACUS_SOURCE_DIR "/scenes/bare_column.toml", "--device",
+                     "haply:" + service.port(), "--port", "0", "--seconds", "3", "--record", "hand.acusrec"},
+                    folder);
     EXPECT_EQ(served.exit_code, 0) << served.err;
     EXPECT_NE(served.out.find("Haply Inverse3 (tested against an emulator only)"), std::string::npos)
         << served.out;

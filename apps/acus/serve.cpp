@@ -29,6 +29,7 @@ void open_in_browser(const std::string& address) {
 }
 
 struct Served {
+  std::string words;  // about the device, where there is one
   std::unique_ptr<Engine> engine;
   std::unique_ptr<haptics::Recorder> recorder;
 };
@@ -51,11 +52,10 @@ Result<Served> serve_device(const Scene& scene, const ServeOptions& options) {
   Result<std::unique_ptr<haptics::Recorder>> recorder =
       start_recorder(options.record_given, options.record, simulation->scene());
   if (!recorder) return recorder.error();
-  std::printf(
-      "%s (%s) shows the needle now; it is felt from 5 mm ahead of where the handle is when it becomes "
-      "ready.\n",
-      limits.title.c_str(), opened->by->proof);
   Served served;
+  served.words =
+      limits.title + " (" + opened->by->proof +
+      ") shows the needle now; it is felt from 5 mm ahead of where the handle is when it becomes ready.\n";
   served.recorder = std::move(*recorder);
   served.engine = device_engine(std::move(opened).value(), std::move(simulation).value(),
                                 {options.force_limit, served.recorder.get()});
@@ -68,7 +68,6 @@ int do_serve(const ServeOptions& options) {
   const Result<Scene> scene = options.scene.empty() ? io::parse_scene("", "scene", options.settings)
                                                     : io::read_scene(options.scene, options.settings);
   if (!scene) return refused(scene.error().sentence, bad_input);
-  std::printf("Research and training simulator, not a medical device.\n");
   Result<Served> served =
       options.device.empty() ? serve_pages(*scene, options) : serve_device(*scene, options);
   if (!served) return refused(served.error().sentence, bad_input);

@@ -73,8 +73,11 @@ int do_serve(const ServeOptions& options) {
   if (!served) return refused(served.error().sentence, bad_input);
   const auto studio = StudioServer::start(static_cast<unsigned short>(options.port), *served->engine);
   if (!studio) return refused(studio.error().sentence, bad_input);
-  std::printf("The studio, for a browser on this machine: %s\nCtrl-C ends it.\n",
-              (*studio)->address().c_str());
+  std::printf(
+      "Research and training simulator, not a medical device.\n%sThe studio, for a browser on this machine: "
+      "%s\n"
+      "Ctrl-C ends it.\n",
+      served->words.c_str(), (*studio)->address().c_str());
   std::fflush(stdout);
   catch_interruptions();
   if (options.opens_browser) open_in_browser((*studio)->address());

@@ -1,0 +1,85 @@
+#include "acus/needle/rod.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include "acus/numeric/circular.h"
+
+namespace acus::needle {
+namespace {
+
+// Curvature [1/m] of the unloaded bow at arc length s.
+double bow_curvature(const NeedleSpec& spec, bool hub_clamped, double s) {
+  const double wave = (hub_clamped ? 2.0 : 1.0) * std::numbers::pi / spec.length;
+  const double amplitude = (hub_clamped ? 0.5 : 1.0) * spec.imperfection;
+  const double phase = wave * s;
+  return amplitude * wave * wave * (hub_clamped ? numeric::cos(phase) : -numeric::sin(phase));
+}
+
+}  // namespace
+
+Rod build_rod(const NeedleSpec& spec, int edges, double poisson_ratio) {
+  assert(edges >= 2 && spec.length > 0.0 && spec.radius > 0.0);
+  Rod rod;
+  rod.edges = edges;
+  rod.axial = axial_rigidity(spec);
+  rod.bending = bending_rigidity(spec);
+  rod.torsion = rod.bending / (1.0 + poisson_ratio);
+  rod.hub_clamped = spec.support != Support::pinned_pinned;
+  rod.tip_clamped = spec.support == Support::clamped_clamped;
+  const double l = spec.length / edges;
+  const double mass = spec.density * section_area(spec) * l;
+  rod.edge_length.assign(edges, l);
+  rod.edge_inertia.assign(edges, 0.5 * mass * spec.radius * spec.radius);
+  rod.node_length.assign(rod.nodes(), l);
+  rod.node_mass.assign(rod.nodes(), mass);
+  for (auto* ends : {&rod.node_length, &rod.node_mass}) ends->front() = ends->back() = 0.5 * ends->front();
+  for (int i = 0; i < rod.nodes(); ++i)
+    rod.natural_turning.push_back({rod.node_length[i] * bow_curvature(spec, rod.hub_clamped, i * l), 0.0});
+  return rod;
+}
+
+RodState straight_rod(const Rod& rod, const Pose& hub) {
+  RodState s;
+  s.position.push_back(hub.position);
+  for (const double l : rod.edge_length) s.position.push_back(s.position.back() + l * hub.tangent);
+  s.director.assign(rod.edges, hub.director);
+  s.rate.assign(rod.unknowns(), 0.0);
+  return s;
+}
+
+Vec3 transported(const Vec3& v, const Vec3& from, const Vec3& to) {
+  const double c = from.dot(to);
+  const Vec3 axis = from.cross(to);
+  return c * v + axis.cross(v) + axis * (axis.dot(v) / (1.0 + c));
+}
+
+void displace(RodState& s, const Rod& rod, const Vec3& hub, const std::vector<double>& change) {
+  Vec3 before = edge(s, 0).normalized();
+  s.position[0] = hub;
+  for (int j = 0; j < rod.edges; ++j) {
+    const Vec3 next_before = j + 1 < rod.edges ? edge(s, j + 1).normalized() : before;
+    const double* const step = &change[place_at(j + 1)];
+    s.position[j + 1] += Vec3(step[0], step[1], step[2]);
+    const Vec3 tangent = edge(s, j).normalized();
+    const double spin = change[spin_at(j)];
+    const Vec3 carried = transported(s.director[j], before, tangent);
+    const Vec3 turned = numeric::cos(spin) * carried + numeric::sin(spin) * tangent.cross(carried);
+    s.director[j] = (turned - turned.dot(tangent) * tangent).normalized();  // rounding does not add up
+    before = next_before;
+  }
+}
+
+RodPoint point_at_arc(const Rod& rod, double s) {
+  const double l = rod.edge_length.front();
+  const int j = std::clamp(static_cast<int>(s / l), 0, rod.edges - 1);
+  return {j, std::clamp(s / l - j, 0.0, 1.0)};
+}
+
+Vec3 place_of(const RodState& s, const RodPoint& p) {
+  return s.position[p.edge] + p.along * (s.position[p.edge + 1] - s.position[p.edge]);
+}
+
+}  // namespace acus::needle

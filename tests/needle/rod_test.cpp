@@ -35,7 +35,8 @@ struct Press {
     const Vec3& a = hub.tangent;
     tip.pose = hub;
     tip.pose.position = machine.state.position.back();
-    tip.stiffness = 3e4 * (support == Support::clamped_free ? Mat3(a * a.transpose()) : Mat3(Mat3::Identity()));
+    tip.stiffness =
+        3e4 * (support == Support::clamped_free ? Mat3(a * a.transpose()) : Mat3(Mat3::Identity()));
   }
   // At 20 mm/s, and then to rest.
   void to(double shortening_ratio) {

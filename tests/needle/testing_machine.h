@@ -13,16 +13,19 @@ using namespace acus::needle;
 
 // What acts on the tip.
 struct Tip {
-  Pose pose;                    // where the vice is; its directions count where the rod's tip is clamped
+  Pose pose;                      // where the vice is; its directions count where the rod's tip is clamped
   Mat3 stiffness = Mat3::Zero();  // N/m, of the vice's hold
-  Vec3 force{0.0, 0.0, 0.0};    // N, dead load
-  Vec3 moment{0.0, 0.0, 0.0};   // N m, dead, on the last edge by a couple
+  Vec3 force{0.0, 0.0, 0.0};      // N, dead load
+  Vec3 moment{0.0, 0.0, 0.0};     // N m, dead, on the last edge by a couple
 };
 
 class Machine {
  public:
   Machine(const NeedleSpec& spec, int edges, const Pose& hub)
-      : rod(build_rod(spec, edges)), state(straight_rod(rod, hub)), hub_(hub), motion_(build_rod_motion(rod)) {}
+      : rod(build_rod(spec, edges)),
+        state(straight_rod(rod, hub)),
+        hub_(hub),
+        motion_(build_rod_motion(rod)) {}
 
   // One implicit step; returns Newton's iterations, or nothing when it fails.
   std::optional<int> step(const Pose& hub, const Tip& tip, double h) {
@@ -30,19 +33,21 @@ class Machine {
     hub_ = hub;
     for (int pass = 0; pass < 60; ++pass) {
       double compression = 1.0;
-      while (!load(hub, tip, h, compression) && compression > 0.0) compression = compression > 0.1 ? 0.5 * compression : 0.0;
+      while (!load(hub, tip, h, compression) && compression > 0.0)
+        compression = compression > 0.1 ? 0.5 * compression : 0.0;
       motion_.change = motion_.residual;
       motion_.matrix.solve(motion_.change.data());
       double largest = 0.0;
       for (int i = 0; i < rod.unknowns(); ++i)
-        if (i % 4 != 0) largest = std::max(largest, std::abs(motion_.change[i]) * h);
+        if (!is_spin(i)) largest = std::max(largest, std::abs(motion_.change[i]) * h);
       // A long step is cut short.
       const double most = rod.edge_length[0];
       if (largest > most)
         for (double& c : motion_.change) c *= most / largest;
       apply_change(motion_, rod, state, h);
       if (largest < 1e-12) {
-        linearise(motion_, rod, state, hub, tip.pose, h, 1.0);
+        load(hub, tip, h, 1.0);
+        hub_force_ = -hub_impulse_ / h;
         return pass + 1;
       }
     }
@@ -55,7 +60,8 @@ class Machine {
       const std::vector<Vec3> before = state.position;
       if (!step(hub, tip, h)) return false;
       double largest = 0.0;
-      for (int k = 0; k < rod.nodes(); ++k) largest = std::max(largest, (state.position[k] - before[k]).norm());
+      for (int k = 0; k < rod.nodes(); ++k)
+        largest = std::max(largest, (state.position[k] - before[k]).norm());
       if (largest < 1e-9) return true;
     }
     return false;
@@ -65,8 +71,8 @@ class Machine {
   Vec3 tip_force(const Tip& tip) const {
     return tip.force + tip.stiffness * (tip.pose.position - state.position.back());
   }
-  // N, of the hub on the rod at rest.
-  Vec3 hub_force() const { return -motion_.hub_force; }
+  // N, of the hub on the rod.
+  Vec3 hub_force() const { return hub_force_; }
   Vec3 moment_at_hub() const { return hub_moment(rod, state, hub_); }
   const RodEnergy& energy() const { return motion_.energy; }
 
@@ -83,16 +89,20 @@ class Machine {
       motion_.residual[at + k] += h * tip_force(tip)[k];
     }
     motion_.residual[spin_at(rod.edges - 1)] += h * tip.moment.dot(edge(state, rod.edges - 1).normalized());
-    const Vec3 couple = tip.moment.cross(edge(state, rod.edges - 1)) / edge(state, rod.edges - 1).squaredNorm();
+    const Vec3 couple =
+        tip.moment.cross(edge(state, rod.edges - 1)) / edge(state, rod.edges - 1).squaredNorm();
     for (int k = 0; k < 3; ++k) {
       motion_.residual[at + k] += h * couple[k];
       motion_.residual[place_at(rod.edges - 1) + k] -= h * couple[k];
     }
+    hub_impulse_ = Vec3(motion_.residual[0], motion_.residual[1], motion_.residual[2]);
+    hold_hub(motion_);
     return motion_.matrix.factor();
   }
 
   Pose hub_;
   RodMotion motion_;
+  Vec3 hub_impulse_{0.0, 0.0, 0.0}, hub_force_{0.0, 0.0, 0.0};
 };
 
 }  // namespace machine

@@ -56,13 +56,15 @@ Vec3 transported(const Vec3& v, const Vec3& from, const Vec3& to) {
   return c * v + axis.cross(v) + axis * (axis.dot(v) / (1.0 + c));
 }
 
-void displace(RodState& s, const Rod& rod, const Vec3& hub, const std::vector<double>& change) {
+void displace(RodState& s, const Rod& rod, const std::vector<double>& change) {
+  const auto step = [&](int node) {
+    return Vec3(change[place_at(node)], change[place_at(node) + 1], change[place_at(node) + 2]);
+  };
   Vec3 before = edge(s, 0).normalized();
-  s.position[0] = hub;
+  s.position[0] += step(0);
   for (int j = 0; j < rod.edges; ++j) {
     const Vec3 next_before = j + 1 < rod.edges ? edge(s, j + 1).normalized() : before;
-    const double* const step = &change[place_at(j + 1)];
-    s.position[j + 1] += Vec3(step[0], step[1], step[2]);
+    s.position[j + 1] += step(j + 1);
     const Vec3 tangent = edge(s, j).normalized();
     const double spin = change[spin_at(j)];
     const Vec3 carried = transported(s.director[j], before, tangent);

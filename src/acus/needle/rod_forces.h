@@ -19,22 +19,16 @@ struct RodEnergy {
 };
 inline double total(const RodEnergy& e) { return e.stretch + e.bending + e.twist; }
 
-// What hub and tip do to the rod.
-struct RodLoad {
-  Vec3 force{0.0, 0.0, 0.0};   // N
-  Vec3 moment{0.0, 0.0, 0.0};  // N m, about the end's place
-};
-
-// forces [unknowns] = -dE/d(unknown); N and N m. `hub_force`: the rod's elastic force on node 0. N
+// forces [unknowns] = -dE/d(unknown); N and N m.
 // The two poses are read for their directions, where the end is clamped; `tip` may be anything otherwise.
-RodEnergy rod_forces_into(std::vector<double>& forces, Vec3& hub_force, const Rod& rod, const RodState& state, const Pose& hub,
+RodEnergy rod_forces_into(std::vector<double>& forces, const Rod& rod, const RodState& state, const Pose& hub,
                           const Pose& tip);
 
-// The same, and matrix += factor * d^2E/d(unknown)^2. What the natural turning adds is left out of the matrix alone: it is
-// small beside the rest, and costs Newton's iteration a little speed but no accuracy. What compressed edges take from the
-// matrix counts by the share `compression`: 1 makes it the energy's exact slope, which is not definite where a rod is about
-// to give way; with 0 it is definite, and an upper bound.
-RodEnergy rod_forces_into(std::vector<double>& forces, Vec3& hub_force, RodMatrix& matrix, double factor, double compression,
+// The same, and matrix += factor * d^2E/d(unknown)^2. What the natural turning adds is left out of the matrix
+// alone: it is small beside the rest, and costs Newton's iteration a little speed but no accuracy. What
+// compressed edges take from the matrix counts by the share `compression`: 1 makes it the energy's exact
+// slope, which is not definite where a rod is about to give way; with 0 it is definite, and an upper bound.
+RodEnergy rod_forces_into(std::vector<double>& forces, RodMatrix& matrix, double factor, double compression,
                           const Rod& rod, const RodState& state, const Pose& hub, const Pose& tip);
 
 // Moment that the hub's clamp does on the rod, about node 0. N m

@@ -1,12 +1,6 @@
 #include "acus/needle/rod_motion.h"
 
 namespace acus::needle {
-namespace {
-
-bool is_spin(int unknown) { return unknown % 4 == 0; }
-
-}  // namespace
-
 RodMotion build_rod_motion(const Rod& rod) {
   RodMotion m;
   m.matrix = RodMatrix(rod.unknowns());
@@ -15,7 +9,7 @@ RodMotion build_rod_motion(const Rod& rod) {
 }
 
 double inertia(const Rod& rod, int unknown) {
-  return is_spin(unknown) ? rod.edge_inertia[unknown / 4] : rod.node_mass[unknown / 4 + 1];
+  return is_spin(unknown) ? rod.edge_inertia[unknown / 4] : rod.node_mass[unknown / 4];
 }
 
 double inertia_product(const Rod& rod, const std::vector<double>& rate) {
@@ -27,17 +21,17 @@ double inertia_product(const Rod& rod, const std::vector<double>& rate) {
 void begin_step(RodMotion& m, const Rod& rod, RodState& s, const Pose& hub, double h) {
   m.rate_before = s.rate;
   const Vec3 hub_rate = (hub.position - s.position[0]) / h;
-  for (int i = 1; i < rod.nodes(); ++i)
-    for (int k = 0; k < 3; ++k) s.rate[place_at(i) + k] += hub_rate[k] - s.hub_rate[k];
-  s.hub_rate = hub_rate;
+  const Vec3 jump = hub_rate - Vec3(s.rate[0], s.rate[1], s.rate[2]);
+  for (int i = 0; i < rod.nodes(); ++i)
+    for (int k = 0; k < 3; ++k) s.rate[place_at(i) + k] += jump[k];
   for (int i = 0; i < rod.unknowns(); ++i) m.change[i] = h * s.rate[i];
-  displace(s, rod, hub.position, m.change);
+  displace(s, rod, m.change);
 }
 
 void linearise(RodMotion& m, const Rod& rod, const RodState& s, const Pose& hub, const Pose& tip, double h,
                double compression) {
   m.matrix.clear();
-  m.energy = rod_forces_into(m.force, m.hub_force, m.matrix, h * h, compression, rod, s, hub, tip);
+  m.energy = rod_forces_into(m.force, m.matrix, h * h, compression, rod, s, hub, tip);
   for (int i = 0; i < rod.unknowns(); ++i) {
     const double mass = inertia(rod, i);
     m.matrix.add(i, i, mass);
@@ -45,12 +39,17 @@ void linearise(RodMotion& m, const Rod& rod, const RodState& s, const Pose& hub,
   }
 }
 
+void hold_hub(RodMotion& m) {
+  constexpr double heavy = 1e20;  // kg: nothing moves it
+  for (int k = 0; k < 3; ++k) m.matrix.add(k, k, heavy);
+}
+
 void apply_change(RodMotion& m, const Rod& rod, RodState& s, double h) {
   for (int i = 0; i < rod.unknowns(); ++i) {
     s.rate[i] += m.change[i];
     m.change[i] *= h;
   }
-  displace(s, rod, s.position[0], m.change);
+  displace(s, rod, m.change);
 }
 
 }  // namespace acus::needle

@@ -1,4 +1,5 @@
-// Symmetric banded systems, factored as L D L^T without pivoting (Golub and Van Loan, Matrix Computations, 4.3).
+// Symmetric banded systems, factored as L D L^T without pivoting (Golub and Van Loan, Matrix
+// Computations, 4.3).
 #pragma once
 
 #include <algorithm>
@@ -10,7 +11,8 @@ namespace acus::numeric {
 template <int band>
 class BandedMatrix {
  public:
-  explicit BandedMatrix(int size = 0) : size_(size), lower_(static_cast<std::size_t>(size + band) * (band + 1)) {}
+  explicit BandedMatrix(int size = 0)
+      : size_(size), lower_(static_cast<std::size_t>(size + band) * (band + 1)) {}
 
   int size() const { return size_; }
   void clear() { std::fill(lower_.begin(), lower_.end(), 0.0); }

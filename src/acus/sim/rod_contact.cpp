@@ -68,8 +68,9 @@ bool tip_held_across(const Model& m, const State& s) {
 void place_tip(const Model& m, State& s) {
   const Vec3 gap = s.needle.rod.position.back() - channel_end_now(m, s);
   const Vec3 axis = tangent_at(s, m.rod.edges - 1);
-  s.tip_elongation = gap.dot(axis);
-  if (!s.punctured && s.tip_elongation <= 0.0) s.needle.tip_offset = across(gap, axis);
+  if (s.tip_elongation > 0.0) return;  // the spring remembers; the cut follows
+  s.tip_elongation = std::min(gap.dot(axis), 0.0);
+  if (!s.punctured) s.needle.tip_offset = across(gap, axis);
 }
 
 RodContact tip_contact(const Model& m, const State& s) {
@@ -161,7 +162,8 @@ RodPlace place_rod(const Model& m, const State& s) {
 void touch_rod(const Model& m, State& s, Scratch& w) {
   place_tip(m, s);
   const RodPlace place = place_rod(m, s);
-  s.ledger.work_friction += coupling::cover(s.channel, s.needle.channel, place.covered_depth, place.inserted_length);
+  const double released = coupling::cover(s.channel, s.needle.channel, place.covered_depth, place.inserted_length);
+  s.ledger.work_friction += released;
   w.rod.contacts.clear();
   w.rod.contacts.push_back(tip_contact(m, s));
   int edge = m.rod.edges - 1;
@@ -170,6 +172,10 @@ void touch_rod(const Model& m, State& s, Scratch& w) {
     w.rod.contacts.push_back(cell_contact(m, s, cell, edge));
     edge = w.rod.contacts.back().point.edge;
   }
+  double energy = 0.0;
+  for (const RodContact& c : w.rod.contacts) energy += stored(c, c.slider.elongation, c.lateral_elongation);
+  s.ledger.work_numerical += s.ledger.energy_contact - energy - released;
+  s.ledger.energy_contact = energy;
   correct_grips(m, s, w);
   for (RodContact& c : w.rod.contacts) take_branch(c);
 }
@@ -225,20 +231,23 @@ bool cut_along_tip(const Model& m, State& s, double slip) {
   const auto held = m.locator->locate(n.channel_end, m.scene.contact.contact_radius);
   const Vec3 axis = tangent_at(s, m.rod.edges - 1);
   const Mat3 F = held ? tissue::deformation_gradient(m.tissue, s.position, held->tet) : Mat3(Mat3::Identity());
-  // Bounded, so that a crumpled element cannot throw the cut far ahead in one step.
-  constexpr double furthest = 5.0;
-  Vec3 way = F.determinant() > 0.01 ? Vec3(F.inverse() * axis * slip) : Vec3(axis * slip);
-  if (way.norm() > furthest * slip) way *= furthest * slip / way.norm();
+  const Vec3 way = F.determinant() > 0.01 ? Vec3(F.inverse() * axis) : axis;
   const Vec3 direction = way.normalized();
-  const Vec3 wanted = channel_end_now(m, s) + slip * axis;
-  n.channel_end += way;
+  // Where the spring's end must be: what an earlier step left behind is made up for.
+  const double wanted = axis.dot(s.needle.rod.position.back() - channel_end_now(m, s)) - s.tip_elongation;
+  const Vec3 from = channel_end_now(m, s);
+  const double first_try = slip * std::clamp(way.norm(), 0.2, 5.0);
+  const Vec3 begin = n.channel_end;
+  n.channel_end = begin + first_try * direction;
   attach_disc_into(s.tip, m, n.channel_end, direction);
-  // What the disc's mean makes of it is put right once.
-  const double missing = axis.dot(wanted - channel_end_now(m, s));
-  const double more = std::clamp(missing, -0.5 * way.norm(), way.norm());
-  n.channel_end += more * direction;
+  // What the disc's mean makes of it: stretch of the tissue under the tip. Bounded, as is the advance, so that a crumpled element
+  // cannot throw the cut far ahead in one step; the next step makes up for what is missing.
+  const double reached = axis.dot(channel_end_now(m, s) - from);
+  const double stretch = std::clamp(reached / first_try, 0.2, 5.0);
+  const double advance = std::clamp(first_try + (wanted - reached) / stretch, 0.0, 5.0 * slip);
+  n.channel_end = begin + advance * direction;
   attach_disc_into(s.tip, m, n.channel_end, direction);
-  s.channel_depth += way.norm() + more;
+  s.channel_depth += advance;
   while (n.channel.cells() * coupling::channel_cell < s.channel_depth && n.channel.cells() < m.most_cells())
     add_cell(m, s, direction);
   const double beyond = (n.channel_end - m.path.entry).dot(m.path.direction) - m.path.length;
@@ -247,19 +256,6 @@ bool cut_along_tip(const Model& m, State& s, double slip) {
     s.tip_elongation = 0.0;  // the contact spring lets go
   }
   return s.through;
-}
-
-double contact_energy(const Model& m, const State& s) {
-  const RodContact tip = tip_contact(m, s);
-  double energy = stored(tip, s.tip_elongation, tip.lateral_elongation);
-  int edge = m.rod.edges - 1;
-  for (int cell = s.needle.channel.cells() - 1; cell >= 0; --cell) {
-    if (s.channel.length[cell] == 0.0) continue;
-    const RodContact c = cell_contact(m, s, cell, edge);
-    energy += stored(c, s.channel.elongation[cell], c.lateral_elongation);
-    edge = c.point.edge;
-  }
-  return energy;
 }
 
 }  // namespace acus

@@ -16,7 +16,7 @@ struct RodPlace {
 RodPlace place_rod(const Model& model, const State& state);
 
 // Lays the rod over its channel and lists what can hold it there, the tip first; each on the branch that the present rates
-// lead to.
+// lead to. What its springs hold less than they did, because the rod's points have slid on to other places, is booked as lost.
 void touch_rod(const Model& model, State& state, Scratch& scratch);
 
 // m/s, of the rod's point and of the tissue there.
@@ -32,8 +32,5 @@ coupling::SliderStep slide_rod(const Model& model, State& state, const Scratch& 
 
 // The cut goes on by `slip` [m] in the direction of the tip, and the channel with it. Returns whether it has come out.
 bool cut_along_tip(const Model& model, State& state, double slip);
-
-// Elastic energy of the contacts as they are now, J.
-double contact_energy(const Model& model, const State& state);
 
 }  // namespace acus

@@ -49,9 +49,7 @@ void advance_rod(const Model& m, State& s, Scratch& w, const needle::Pose& hub, 
   before.tissue.energy = w.corotation.energy;
   before.hub = s.needle.rod.position[0];
   before.rod_energy = s.ledger.energy_needle;
-  const double contact_before = s.ledger.energy_contact;
   touch_rod(m, s, w);
-  s.ledger.work_numerical += contact_before - contact_energy(m, s);
   probe(StepPart::touch);
   if (!m.rigid()) {
     assemble_tissue(m, s, w);

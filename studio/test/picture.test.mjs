@@ -11,10 +11,10 @@ after(() => tools.end());
 test('the_bow_is_drawn_as_large_as_the_trace_says', async () => {
   const { page } = await openStudio(tools, { width: 1200, height: 720 });
   await page.getByRole('button', { name: 'Side' }).click();
-  await page.getByRole('button', { name: 'More' }).click();
+  await page.getByRole('button', { name: 'Options' }).click();
   await page.getByLabel('close-up of the entry').uncheck();
   await page.getByLabel('elements').uncheck();
-  await page.getByRole('button', { name: 'More' }).click();
+  await page.getByRole('button', { name: 'Options' }).click();
   await picture(page).focus();
   await page.keyboard.press('s');
   await page.waitForFunction(() => Number.parseFloat(document.querySelector('[data-value=deflection_m]').textContent) > 25);
@@ -56,7 +56,7 @@ test('the_cut_shows_the_inside_and_stress_has_its_own_legend', async () => {
   const cut = await colours();
   await page.selectOption('#field', 'stress');
   await page.waitForFunction(() => /kPa/.test(document.querySelector('.legend').textContent));
-  await page.getByRole('button', { name: 'More' }).click();
+  await page.getByRole('button', { name: 'Options' }).click();
   await page.getByLabel('cut through the needle').uncheck();
   await page.waitForTimeout(500);
   assert.notEqual(await colours(), cut);

@@ -174,6 +174,11 @@ export class Chart {
       ctx.setLineDash([]);
       ctx.textAlign = 'right';
       ctx.textBaseline = 'bottom';
+      ctx.save();
+      ctx.strokeStyle = token('panel');
+      ctx.lineWidth = 3 * ratio;
+      ctx.strokeText(level.words, left + width - 4 * ratio, y - 2 * ratio);
+      ctx.restore();
       ctx.fillText(level.words, left + width - 4 * ratio, y - 2 * ratio);
     }
     ctx.restore();

@@ -69,7 +69,7 @@ export function story(stage: Stage, trace: Trace, model: Model, happened: Set<Ev
     return rigid
       ? { title: 'Keep pushing.', text: `The needle stands on a wall; it will bow at ${critical}.` }
       : { title: 'Keep pushing.', text: `The tissue gives way and pushes back. It opens at ${rupture}; the needle stays straight up to ${critical}.` };
-  return { title: 'Push the needle.', text: 'Pull its hub down in the picture, hold the down arrow key, or press “Steady hand”.' };
+  return { title: 'Push the needle.', text: 'Pull its hub down in the picture, press “Steady hand” and watch, or hold the down arrow key.' };
 }
 
 const margin = 0.97; // of the longest that should stay straight

@@ -55,7 +55,7 @@ export class Session {
   private meter = new RateMeter();
   private wasPaused = false;
   private pushing = false; // this page gave the hand its place
-  private touchDue = false; // the first touch waits until the server has said who leads
+  private touchDue = false; // the first touch of an insertion at a server
   onEvent: ((event: EventName) => void) | null = null;
 
   get stage(): Stage {
@@ -136,8 +136,7 @@ export class Session {
         this.loop = report;
         if (!report.owner) this.pushing = false;
         this.realTimeFactor = report.real_time_factor;
-        if (this.touchDue && report.owner && (this.frame?.trace[place.hand_travel_m] ?? 0) < firstTouch) this.push(firstTouch);
-        this.touchDue = false;
+        this.touch();
     }
   }
 
@@ -168,6 +167,13 @@ export class Session {
     if (!this.touchDue) this.push(firstTouch);
   }
 
+  // At a server: not before it has said who leads, and where the hand is.
+  private touch(): void {
+    if (!this.touchDue || !this.loop || !this.frame) return;
+    this.touchDue = false;
+    if (this.loop.owner && this.frame.trace[place.hand_travel_m]! < firstTouch) this.push(firstTouch);
+  }
+
   private keep(): void {
     const run = this.run;
     if (run && run.travelled > worthKeeping) this.earlier = [run, ...this.earlier].slice(0, keptRuns);
@@ -182,6 +188,7 @@ export class Session {
     if (this.player) return;
     this.frame = frame;
     if (!this.pushing) this.asked = frame.trace[place.hand_travel_m]!;
+    this.touch();
   }
 
   // The steady hand stops where the slider ends.

@@ -35,6 +35,7 @@ async function secondBuckling(page) {
   await picture(page).focus();
   await page.keyboard.press('s');
   await stageIs(page, 'inserted_buckled');
+  await page.selectOption('#speed', '0.005');
   await bowed(page, 18);
   await hold(page);
 }

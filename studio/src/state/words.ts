@@ -48,7 +48,7 @@ export function story(stage: Stage, trace: Trace, model: Model, happened: Set<Ev
       title: 'It buckled.',
       text: rigid
         ? `A straight needle of ${free} carries ${critical}; beyond that it gives way sideways.`
-        : `${free} of free needle carry ${critical}, then give way sideways; the tissue would open only at ${rupture}. Pushing on mostly bends it.`,
+        : `${free} of free needle carry ${critical}, then give way sideways; the tissue opens only at ${rupture}. Pushing on mostly bends it.`,
       offer: shorter(model),
     };
   }

@@ -14,6 +14,7 @@ const fig6 = {
   'contact.fracture_toughness_J_m2': 76,
   'contact.friction_N_m': 20,
   'hand.speed_mm_s': 4,
+  'run.time_step_ms': 2,
   'run.solver_tolerance': 1e-4,
 };
 const coarse = { ...fig6, 'tissue.tetrahedra': 1000 };

@@ -45,6 +45,7 @@ test('a_device_is_armed_and_disarmed_with_its_limit_in_sight', async () => {
   const { page } = await opened(server, { ready: false });
   await page.waitForSelector('[data-gate=disarmed]');
   assert.match(await page.locator('.device').textContent(), /Inverse3.*at most 2\.0 N/s);
+  assert.match(await page.locator('.story').textContent(), /The handle of the Inverse3 is its hub.*once it is armed/);
   await page.getByRole('button', { name: 'Arm', exact: true }).click();
   await page.waitForSelector('[data-gate=armed]');
   assert.match(await page.locator('.device').textContent(), /0\.50 N of at most 2\.0 N/);

@@ -69,7 +69,7 @@ export function story(stage: Stage, trace: Trace, model: Model, happened: Set<Ev
     return rigid
       ? { title: 'Keep pushing.', text: `The needle stands on a wall; it will bow at ${critical}.` }
       : { title: 'Keep pushing.', text: `The tissue gives way and pushes back. It opens at ${rupture}; the needle stays straight up to ${critical}.` };
-  if (device !== null) return { title: 'Push the needle.', text: `The handle of the ${device} is its hub. Press “Arm” on the left to feel it, and push it towards the tissue.` };
+  if (device !== null) return { title: 'Push the needle.', text: `The handle of the ${device} is its hub: push it towards the tissue. You feel it once it is armed, on the left.` };
   return { title: 'Push the needle.', text: 'Pull its hub down in the picture, press “Steady hand” and watch, or hold the down arrow key.' };
 }
 

@@ -21,8 +21,8 @@ double sleeve_stiffness(double shear_modulus);
 
 // One attachment per cell, of its middle.
 struct Channel {
-  double friction = 0.0;   // N/m, limit of the force per length
-  double stiffness = 0.0;  // N/m^2, pre-sliding, per length
+  double friction = 0.0;               // N/m, limit of the force per length
+  double stiffness = 0.0;              // N/m^2, pre-sliding, per length
   std::vector<Attachment> attachment;  // at least `count`
   int count = 0;
 

@@ -1,4 +1,5 @@
-// Logarithm and cube root from sums, products and quotients alone, for the same bits on every machine (circular.h).
+// Logarithm and cube root from sums, products and quotients alone, for the same bits on every machine
+// (circular.h).
 #pragma once
 
 namespace acus::numeric {

@@ -7,6 +7,7 @@
 #include "acus/mesh/order.h"
 #include "acus/mesh/quality.h"
 #include "acus/mesh/refine.h"
+#include "acus/needle/buckling.h"
 #include "acus/sim/hand.h"
 
 namespace acus {
@@ -106,7 +107,8 @@ void attach_disc_into(coupling::Attachment& out, const Model& m, const Vec3& poi
   if (c.coupling == Coupling::nearest_node)
     coupling::attach_to_nearest_node_into(out, *m.locator, point, m.tissue.free_nodes);
   else
-    coupling::embed_disc_into(out, *m.locator, point, axis, c.contact_radius, m.tissue.free_nodes, m.disc_rings);
+    coupling::embed_disc_into(out, *m.locator, point, axis, c.contact_radius, m.tissue.free_nodes,
+                              m.disc_rings);
 }
 
 void attach_shaft_into(coupling::Attachment& out, const Model& m, const Vec3& point) {
@@ -119,6 +121,10 @@ void attach_shaft_into(coupling::Attachment& out, const Model& m, const Vec3& po
 
 void attach_tip_into(coupling::Attachment& out, const Model& m, double depth) {
   attach_disc_into(out, m, m.path.entry + depth * m.path.direction, m.path.direction);
+}
+
+double critical_load(const Model& m, double free_length) {
+  return needle::critical_load(needle::bending_rigidity(m.scene.needle), free_length, m.scene.needle.support);
 }
 
 Result<Model> build_model(const Scene& scene, const mesh::TetMesh* mesh) {

@@ -43,6 +43,9 @@ struct Model {
   int most_cells() const { return static_cast<int>(scene.needle.length / coupling::channel_cell) + 2; }
 };
 
+// N, the closed form for a free part of that length [m] and the scene's supports.
+double critical_load(const Model& model, double free_length);
+
 Result<Model> build_model(const Scene& scene, const mesh::TetMesh* mesh);
 
 // Holds a needle's tip at a point of the tissue at rest, its load spread across `axis`.

@@ -50,7 +50,8 @@ Vec3 cell_now(const Model& m, const State& s, int cell) {
          coupling::displacement(s.needle.channel.attachment[cell], s.position, m.mesh.nodes);
 }
 
-// The tip against the channel's end: rupture before the puncture, cutting after it, nothing beyond the far side.
+// The tip against the channel's end: rupture before the puncture, cutting after it, nothing beyond the far
+// side.
 coupling::Slider tip_slider(const Model& m, const State& s) {
   const double stiffness = s.through ? 0.0 : m.scene.contact.stiffness;
   const double limit = m.rigid()     ? 1e30
@@ -60,7 +61,8 @@ coupling::Slider tip_slider(const Model& m, const State& s) {
   return {stiffness, s.tip_elongation, 0.0, limit, true};
 }
 
-// N/m, by which the tip is held across its axis: by the dent it makes on the surface, in its cut as the shaft is.
+// N/m, by which the tip is held across its axis: by the dent it makes on the surface, in its cut as the shaft
+// is.
 double tip_hold(const Model& m, const State& s) {
   if (s.through) return 0.0;
   const int cells = s.needle.channel.cells();
@@ -127,9 +129,10 @@ void add_cell(const Model& m, State& s, const Vec3& direction) {
   n.cell_point[cell] = point;
   const auto held = m.locator->locate(point, m.scene.contact.contact_radius);
   const int tet = held ? held->tet : 0;
-  n.cell_lateral[cell] = coupling::near_field(tissue::shear_modulus(m.material()), m.scene.tissue.poisson_ratio,
-                                              spacing(m.tissue.volume[tissue::lane_place(tet, 0, 1)]), m.scene.needle.radius)
-                             .lateral;
+  n.cell_lateral[cell] =
+      coupling::near_field(tissue::shear_modulus(m.material()), m.scene.tissue.poisson_ratio,
+                           spacing(m.tissue.volume[tissue::lane_place(tet, 0, 1)]), m.scene.needle.radius)
+          .lateral;
   ++n.channel.count;
 }
 
@@ -144,7 +147,8 @@ RodPlace place_rod(const Model& m, const State& s) {
   if (s.punctured) {
     const RodPoint entry = nearest_point(m, s, entry_now(m, s), m.rod.edges - 1);
     const double beyond = m.scene.needle.length - arc_from_hub(m, entry);
-    place.inserted_length = s.through ? m.path.length : std::max(beyond - std::max(s.tip_elongation, 0.0), 0.0);
+    place.inserted_length =
+        s.through ? m.path.length : std::max(beyond - std::max(s.tip_elongation, 0.0), 0.0);
     place.free_length -= std::max(beyond, 0.0);
     place.covered_depth = std::clamp(s.channel_depth + s.tip_elongation, 0.0, s.channel_depth);
     to = needle::place_of(rod, entry);
@@ -159,7 +163,8 @@ RodPlace place_rod(const Model& m, const State& s) {
 void touch_rod(const Model& m, State& s, Scratch& w) {
   place_tip(m, s);
   const RodPlace place = place_rod(m, s);
-  const double released = coupling::cover(s.channel, s.needle.channel, place.covered_depth, place.inserted_length);
+  const double released =
+      coupling::cover(s.channel, s.needle.channel, place.covered_depth, place.inserted_length);
   s.ledger.work_friction += released;
   w.rod.contacts.clear();
   w.rod.contacts.push_back(tip_contact(m, s));
@@ -227,7 +232,8 @@ bool cut_along_tip(const Model& m, State& s, double slip) {
   RodNeedle& n = s.needle;
   const auto held = m.locator->locate(n.channel_end, m.scene.contact.contact_radius);
   const Vec3 axis = tangent_at(s, m.rod.edges - 1);
-  const Mat3 F = held ? tissue::deformation_gradient(m.tissue, s.position, held->tet) : Mat3(Mat3::Identity());
+  const Mat3 F =
+      held ? tissue::deformation_gradient(m.tissue, s.position, held->tet) : Mat3(Mat3::Identity());
   const Vec3 way = F.determinant() > 0.01 ? Vec3(F.inverse() * axis) : axis;
   const Vec3 direction = way.normalized();
   // Where the spring's end must be: what an earlier step left behind is made up for.
@@ -237,8 +243,9 @@ bool cut_along_tip(const Model& m, State& s, double slip) {
   const Vec3 begin = n.channel_end;
   n.channel_end = begin + first_try * direction;
   attach_disc_into(s.tip, m, n.channel_end, direction);
-  // What the disc's mean makes of it: stretch of the tissue under the tip. Bounded, as is the advance, so that a crumpled element
-  // cannot throw the cut far ahead in one step; the next step makes up for what is missing.
+  // What the disc's mean makes of it: stretch of the tissue under the tip. Bounded, as is the advance, so
+  // that a crumpled element cannot throw the cut far ahead in one step; the next step makes up for what is
+  // missing.
   const double reached = axis.dot(channel_end_now(m, s) - from);
   const double stretch = std::clamp(reached / first_try, 0.2, 5.0);
   const double advance = std::clamp(first_try + (wanted - reached) / stretch, 0.0, 5.0 * slip);

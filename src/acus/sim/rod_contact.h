@@ -15,8 +15,9 @@ struct RodPlace {
 };
 RodPlace place_rod(const Model& model, const State& state);
 
-// Lays the rod over its channel and lists what can hold it there, the tip first; each on the branch that the present rates
-// lead to. What its springs hold less than they did, because the rod's points have slid on to other places, is booked as lost.
+// Lays the rod over its channel and lists what can hold it there, the tip first; each on the branch that the
+// present rates lead to. What its springs hold less than they did, because the rod's points have slid on to
+// other places, is booked as lost.
 void touch_rod(const Model& model, State& state, Scratch& scratch);
 
 // m/s, of the rod's point and of the tissue there.
@@ -26,11 +27,13 @@ Vec3 tissue_rate(const State& state, const RodContact& contact);
 // The branches that the present rates lead to. Returns whether any changed.
 bool correct_grips(const Model& model, const State& state, Scratch& scratch);
 
-// Carries out the contacts' steps once rod and tissue have moved: books friction, cutting and what the implicit step lost, and
-// leaves the energy of the springs as line of the ledger. Returns the tip's step along its axis.
+// Carries out the contacts' steps once rod and tissue have moved: books friction, cutting and what the
+// implicit step lost, and leaves the energy of the springs as line of the ledger. Returns the tip's step
+// along its axis.
 coupling::SliderStep slide_rod(const Model& model, State& state, const Scratch& scratch);
 
-// The cut goes on by `slip` [m] in the direction of the tip, and the channel with it. Returns whether it has come out.
+// The cut goes on by `slip` [m] in the direction of the tip, and the channel with it. Returns whether it has
+// come out.
 bool cut_along_tip(const Model& model, State& state, double slip);
 
 }  // namespace acus

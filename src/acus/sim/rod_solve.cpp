@@ -11,9 +11,10 @@ namespace {
 
 using numeric::NodeVector;
 
-constexpr int max_passes = 40;         // of Newton's method and the branches together; two are usual
-constexpr int max_iterations = 4000;   // of one conjugate-gradient solve
-constexpr double force_error = 1e-6;   // N, and N per metre of the rod for moments: what may be left unbalanced
+constexpr int max_passes = 40;        // of Newton's method and the branches together; two are usual
+constexpr int max_iterations = 4000;  // of one conjugate-gradient solve
+constexpr double force_error =
+    1e-6;  // N, and N per metre of the rod for moments: what may be left unbalanced
 
 void add_at(std::vector<double>& to, int at, const Vec3& v) {
   for (int k = 0; k < 3; ++k) to[at + k] += v[k];
@@ -36,32 +37,41 @@ void add_block(needle::RodMatrix& matrix, int row, int column, const Mat3& block
       if (row + r >= column + k) matrix.add(row + r, column + k, block(r, k));
 }
 
-// Newton's system of the rod at the iterate while the tissue rests, factored. What edges under compression take from
-// the matrix is let go by and by where it is not definite.
-bool load_rod(const Model& m, const State& s, Scratch& w, const needle::Pose& hub) {
+// Newton's system of the rod at the iterate while the tissue rests and nobody holds the hub.
+void load_rod(const Model& m, const State& s, Scratch& w, const needle::Pose& hub, double compression) {
   const double h = m.scene.run.time_step;
   needle::RodMotion& motion = w.rod.motion;
+  const needle::Pose stop{m.path.entry, m.path.direction, hub.director};  // that clamps a tip may
+  needle::linearise(motion, m.rod, s.needle.rod, hub, stop, h, compression);
+  for (const RodContact& c : w.rod.contacts) {
+    const int a = needle::place_at(c.point.edge), b = needle::place_at(c.point.edge + 1);
+    const double wa = 1.0 - c.point.along, wb = c.point.along;
+    add_block(motion.matrix, a, a, h * h * wa * wa * c.stiffness);
+    add_block(motion.matrix, b, a, h * h * wb * wa * c.stiffness);
+    add_block(motion.matrix, b, b, h * h * wb * wb * c.stiffness);
+    add_to_rod(motion.residual, c, h * (c.force - h * c.stiffness * of_rod(s.needle.rod.rate, c)));
+  }
+}
+
+// The hand on node 0: it leads it, or pulls it along the path by a grip that gives way.
+void hold_hub(const Model& m, const State& s, Scratch& w, const needle::Pose& hub) {
+  if (m.grip_compliance == 0.0) return needle::hold_hub(w.rod.motion);
+  const double h = m.scene.run.time_step, stiffness = 1.0 / m.grip_compliance;
+  constexpr double heavy = 1e20;  // kg: nothing moves it sideways
+  const Vec3& along = m.path.direction;
+  const Mat3 axial = along * along.transpose();
+  add_block(w.rod.motion.matrix, 0, 0, h * h * stiffness * axial + heavy * (Mat3::Identity() - axial));
+  add_at(w.rod.motion.residual, 0,
+         h * stiffness * along.dot(hub.position - s.needle.rod.position[0]) * along);
+}
+
+// Both, factored. What edges under compression take from the matrix is let go by and by where it is not
+// definite.
+bool factor_rod(const Model& m, const State& s, Scratch& w, const needle::Pose& hub) {
   for (double compression = 1.0;; compression = compression > 0.1 ? 0.5 * compression : 0.0) {
-    needle::linearise(motion, m.rod, s.needle.rod, hub, needle::Pose{m.path.entry, m.path.direction, hub.director}, h, compression);
-    for (const RodContact& c : w.rod.contacts) {
-      const int a = needle::place_at(c.point.edge), b = needle::place_at(c.point.edge + 1);
-      const double wa = 1.0 - c.point.along, wb = c.point.along;
-      add_block(motion.matrix, a, a, h * h * wa * wa * c.stiffness);
-      add_block(motion.matrix, b, a, h * h * wb * wa * c.stiffness);
-      add_block(motion.matrix, b, b, h * h * wb * wb * c.stiffness);
-      add_to_rod(motion.residual, c, h * (c.force - h * c.stiffness * of_rod(s.needle.rod.rate, c)));
-    }
-    if (m.grip_compliance > 0.0) {
-      const Vec3& along = m.path.direction;
-      const double stiffness = 1.0 / m.grip_compliance;
-      constexpr double heavy = 1e20;  // kg: nothing moves it sideways
-      const Mat3 axial = along * along.transpose();
-      add_block(motion.matrix, 0, 0, h * h * stiffness * axial + heavy * (Mat3::Identity() - axial));
-      add_at(motion.residual, 0, h * stiffness * along.dot(hub.position - s.needle.rod.position[0]) * along);
-    } else {
-      needle::hold_hub(motion);
-    }
-    if (motion.matrix.factor()) return true;
+    load_rod(m, s, w, hub, compression);
+    hold_hub(m, s, w, hub);
+    if (w.rod.motion.matrix.factor()) return true;
     if (compression == 0.0) return false;
   }
 }
@@ -130,13 +140,14 @@ RodOutcome solve_with_rod(const Model& m, State& s, Scratch& w, const needle::Po
   needle::begin_step(motion, m.rod, s.needle.rod, first, h);
   bool settled = false;
   for (int pass = 0; pass < max_passes; ++pass) {
-    if (!load_rod(m, s, w, hub)) break;
+    if (!factor_rod(m, s, w, hub)) break;
     motion.change = motion.residual;
     add_tissue_to(motion.change, m, s, w);
     if (settled && imbalance(m, motion.change) <= force_error) {
       outcome.hub_force = -three(motion.change, 0) / h;
       if (m.grip_compliance > 0.0)
-        outcome.hub_force = m.path.direction.dot(hub.position - s.needle.rod.position[0]) / m.grip_compliance * m.path.direction;
+        outcome.hub_force = m.path.direction.dot(hub.position - s.needle.rod.position[0]) /
+                            m.grip_compliance * m.path.direction;
       return outcome;
     }
     if (!m.rigid()) {
@@ -145,8 +156,8 @@ RodOutcome solve_with_rod(const Model& m, State& s, Scratch& w, const needle::Po
       load_tissue(m, s, w);
       const double norm = std::sqrt(numeric::dot(w.right_hand_side, w.right_hand_side));
       const numeric::CgOutcome solve =
-          numeric::solve_refined_into(s.velocity, w.right_hand_side, m.scene.run.solver_tolerance * norm, max_iterations,
-                                      w.solver, Product{m, w}, preconditioner(m, w));
+          numeric::solve_refined_into(s.velocity, w.right_hand_side, m.scene.run.solver_tolerance * norm,
+                                      max_iterations, w.solver, Product{m, w}, preconditioner(m, w));
       outcome.iterations += solve.iterations;
       if (solve.broke_down || solve.iterations >= max_iterations) break;
       motion.change = motion.residual;
@@ -158,6 +169,48 @@ RodOutcome solve_with_rod(const Model& m, State& s, Scratch& w, const needle::Po
   }
   outcome.broke_down = true;
   return outcome;
+}
+
+double hub_stiffness(const Model& m, const State& s, Scratch& w) {
+  const double h = m.scene.run.time_step;
+  needle::RodMotion& motion = w.rod.motion;
+  const Vec3& along = m.path.direction;
+  load_rod(m, s, w, hub_pose(m, s.hub_travel), 0.0);
+  // The hub's column of the matrix: what the rod is asked when node 0 goes along the path at unit rate.
+  std::vector<double>& hub_column = motion.residual;
+  std::fill(hub_column.begin(), hub_column.end(), 0.0);
+  for (int i = 0; i <= needle::rod_band + 2; ++i)
+    for (int k = std::max(0, i - needle::rod_band); k < 3; ++k)
+      hub_column[i] += motion.matrix.at(i, k) * along[k];
+  double reaction = along.dot(three(hub_column, 0));
+  needle::hold_hub(motion);
+  if (!motion.matrix.factor()) return 0.0;
+  std::vector<double>& answer = w.rod.free_answer;
+  for (int i = 0; i < m.rod.unknowns(); ++i) answer[i] = i < 3 ? 0.0 : -hub_column[i];
+  motion.matrix.solve(answer.data());
+  if (!m.rigid()) {
+    std::fill(w.stick_load.begin(), w.stick_load.end(), 0.0F);
+    add_at(answer, 0, along);
+    for (const RodContact& c : w.rod.contacts)
+      coupling::add_spread(w.stick_load, *c.at, h * h * c.stiffness * of_rod(answer, c));
+    add_at(answer, 0, -along);
+    constexpr double tolerance = 1e-4;
+    const double norm = std::sqrt(numeric::dot(w.stick_load, w.stick_load));
+    const numeric::CgOutcome outcome =
+        numeric::solve_into(w.answer, w.stick_load, tolerance * norm, max_iterations, w.solver.single,
+                            Product{m, w}, preconditioner(m, w));
+    if (outcome.broke_down || outcome.iterations >= max_iterations) return 0.0;
+    std::vector<double>& more = w.rod.load;
+    std::fill(more.begin(), more.end(), 0.0);
+    for (const RodContact& c : w.rod.contacts)
+      add_to_rod(more, c, h * h * c.stiffness * coupling::mean(*c.at, w.answer));
+    reaction -= along.dot(three(more, 0));
+    motion.matrix.solve(more.data());
+    for (int i = 3; i < m.rod.unknowns(); ++i) answer[i] += more[i];
+  }
+  for (int i = 3; i <= needle::rod_band + 2; ++i) reaction += hub_column[i] * answer[i];
+  const double stiffness = std::max(reaction / (h * h), 0.0);
+  return stiffness / (1.0 + stiffness * m.grip_compliance);
 }
 
 }  // namespace acus

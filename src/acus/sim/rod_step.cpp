@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "acus/needle/buckling.h"
 #include "acus/sim/rod_contact.h"
 #include "acus/sim/rod_solve.h"
 #include "acus/sim/stage.h"
@@ -14,12 +13,12 @@ namespace {
 // What the end of a step must know of its beginning.
 struct Before {
   TissueBefore tissue;
-  Vec3 hub{0.0, 0.0, 0.0};      // m, node 0
-  double rod_energy = 0.0;      // J
+  Vec3 hub{0.0, 0.0, 0.0};  // m, node 0
+  double rod_energy = 0.0;  // J
 };
 
-// Rod's lines of the ledger, exact identities of implicit Euler: what its forces at the end do over the step, less what its energy
-// has changed by, is lost, and so is the inertia of the change of rate.
+// Rod's lines of the ledger, exact identities of implicit Euler: what its forces at the end do over the step,
+// less what its energy has changed by, is lost, and so is the inertia of the change of rate.
 void account_rod(const Model& m, State& s, const Scratch& w, const Before& before, const Vec3& hub_force) {
   const needle::RodMotion& motion = w.rod.motion;
   const double h = m.scene.run.time_step;
@@ -38,13 +37,14 @@ void account_rod(const Model& m, State& s, const Scratch& w, const Before& befor
 
 Health health_of(const Model& m, const State& s, const RodPlace& place) {
   if (!std::isfinite(force::accounted(s.ledger))) return Health::not_finite;
-  return place.free_length < needle::shortest_column * m.scene.needle.radius ? Health::hub_at_entry : Health::good;
+  return place.free_length < needle::shortest_column * m.scene.needle.radius ? Health::hub_at_entry
+                                                                             : Health::good;
 }
 
 }  // namespace
 
-void advance_rod(const Model& m, State& s, Scratch& w, const needle::Pose& hub, double hand_travel, Frame& frame,
-                 std::vector<Event>& events, const StepProbe& probe) {
+void advance_rod(const Model& m, State& s, Scratch& w, const needle::Pose& hub, double hand_travel,
+                 Frame& frame, std::vector<Event>& events, const StepProbe& probe) {
   Before before;
   before.tissue.energy = w.corotation.energy;
   before.hub = s.needle.rod.position[0];
@@ -79,27 +79,17 @@ void advance_rod(const Model& m, State& s, Scratch& w, const needle::Pose& hub, 
   account_rod(m, s, w, before, solved.hub_force);
 
   ++s.steps;
-  frame.time = static_cast<double>(s.steps) * m.scene.run.time_step;
   const Vec3& along = m.path.direction;
   s.hub_travel = hand_travel + along.dot(s.needle.rod.position[0] - hub.position);
   s.tip_position = along.dot(s.needle.rod.position.back() - m.path.entry);
   const RodPlace place = place_rod(m, s);
-  observed.column_load = solved.hub_force.dot(along);
-  observed.critical_load = needle::critical_load(needle::bending_rigidity(m.scene.needle), place.free_length, m.scene.needle.support);
-  observed.bow_ratio = place.bow / place.free_length;
+  observed.hand_force = solved.hub_force.dot(along);
   observed.inserted_length = place.inserted_length;
-  frame.hand_travel = s.hub_travel;
-  frame.hand_force = observed.column_load;
-  frame.tip_force = observed.tip_force;
-  frame.tip_depth = s.tip_position;
-  frame.inserted_length = place.inserted_length;
-  frame.free_length = place.free_length;
-  frame.critical_load = observed.critical_load;
-  frame.deflection = place.bow;
-  frame.ledger = s.ledger;
-  frame.energy_residual = force::residual(s.ledger);
-  frame.energy_force = s.energy_force.after(s.hub_travel, force::accounted(s.ledger));
-  decide_stage(s, observed, frame, events);
+  observed.free_length = place.free_length;
+  observed.bow = place.bow;
+  observed.critical_load = critical_load(m, place.free_length);
+  observed.bent = rod_bent(place.bow / place.free_length);
+  show(m, s, observed, frame, events);
   frame.health = health_of(m, s, place);
   probe(StepPart::ledger);
 }

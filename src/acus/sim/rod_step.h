@@ -1,5 +1,5 @@
-// One time step of a needle that is a rod, top to bottom: touch the tissue, advance rod and tissue together, cut, account for
-// the energy, decide the stage.
+// One time step of a needle that is a rod, top to bottom: touch the tissue, advance rod and tissue together,
+// cut, account for the energy, decide the stage.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,9 @@
 
 namespace acus {
 
-// As `advance` of step.h; the hub ends the step at `hub`, of which the travel along the path is `hand_travel` [m].
-void advance_rod(const Model& model, State& state, Scratch& scratch, const needle::Pose& hub, double hand_travel, Frame& frame,
-                 std::vector<Event>& events, const StepProbe& probe = {});
+// As `advance` of step.h; the hub ends the step at `hub`, of which the travel along the path is `hand_travel`
+// [m].
+void advance_rod(const Model& model, State& state, Scratch& scratch, const needle::Pose& hub,
+                 double hand_travel, Frame& frame, std::vector<Event>& events, const StepProbe& probe = {});
 
 }  // namespace acus

@@ -20,19 +20,19 @@ struct HeldPoint {
   double rate_change = 0.0;  // m/s, over its whole step
 };
 
-// A place where a rod and the tissue hold each other in a step. With d the way of the rod's point against the tissue in the
-// step, the force on the rod is force - stiffness d.
+// A place where a rod and the tissue hold each other in a step. With d the way of the rod's point against the
+// tissue in the step, the force on the rod is force - stiffness d.
 struct RodContact {
   const coupling::Attachment* at = nullptr;  // empty: a stop that does not give
   needle::RodPoint point;
   Vec3 axis{0.0, 0.0, 0.0};  // unit, along the rod
   coupling::Slider slider;   // along the axis
   coupling::Grip grip = coupling::Grip::stick;
-  double lateral = 0.0;                       // N/m, across the axis, both ways
-  Vec3 lateral_elongation{0.0, 0.0, 0.0};     // m, before the step
-  int cell = -1;                              // of the channel; -1 for the tip
-  Vec3 force{0.0, 0.0, 0.0};                  // N, on this branch
-  Mat3 stiffness = Mat3::Zero();              // N/m, on this branch
+  double lateral = 0.0;                    // N/m, across the axis, both ways
+  Vec3 lateral_elongation{0.0, 0.0, 0.0};  // m, before the step
+  int cell = -1;                           // of the channel; -1 for the tip
+  Vec3 force{0.0, 0.0, 0.0};               // N, on this branch
+  Mat3 stiffness = Mat3::Zero();           // N/m, on this branch
 };
 
 struct RodScratch {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "acus/base/hash.h"
+#include "acus/sim/rod_solve.h"
 #include "acus/sim/rod_step.h"
 #include "acus/sim/step.h"
 #include "acus/tissue/stress.h"
@@ -35,8 +36,7 @@ Result<Simulation> Simulation::build(const Scene& scene, const mesh::TetMesh* me
     tissue::corotate_into(parts->scratch.corotation, parts->model.tissue, parts->state.position);
   parts->frame.hand_travel = parts->frame.tip_depth = parts->state.hub_travel;
   parts->frame.free_length = scene.needle.length;
-  parts->frame.critical_load =
-      parts->model.column.critical_load_times_length_squared / (scene.needle.length * scene.needle.length);
+  parts->frame.critical_load = critical_load(parts->model, scene.needle.length);
   constexpr std::size_t most_events =
       4096;  // a step must not allocate; what a very restless hand causes beyond is not kept
   parts->events.reserve(most_events);
@@ -49,7 +49,8 @@ const Frame& Simulation::step(double hand_travel) {
   if (!std::isfinite(hand_travel))
     p.frame.health = Health::not_finite;
   else if (p.model.bends_freely())
-    advance_rod(p.model, p.state, p.scratch, hub_pose(p.model, hand_travel), hand_travel, p.frame, p.events, p.probe);
+    advance_rod(p.model, p.state, p.scratch, hub_pose(p.model, hand_travel), hand_travel, p.frame, p.events,
+                p.probe);
   else
     advance(p.model, p.state, p.scratch, hand_travel, p.frame, p.events, p.probe);
   return p.frame;
@@ -58,6 +59,7 @@ const Frame& Simulation::step(double hand_travel) {
 double Simulation::hand_stiffness() {
   Parts& p = *parts_;
   if (p.state.steps == 0 || p.frame.health != Health::good) return 0.0;
+  if (p.model.bends_freely()) return hub_stiffness(p.model, p.state, p.scratch);
   const NeedlePlace place = place_needle(p.model, p.state);
   const double free = needle::column_response(p.model.column, place.free_length, place.shortening).stiffness;
   const double column = free / (1.0 + free * p.model.grip_compliance);    // in series with the grip
@@ -107,8 +109,9 @@ void Simulation::needle_line_into(std::span<Vec3> out) const {
   if (p.model.bends_freely()) {
     const double last = static_cast<double>(out.size() - 1);
     for (std::size_t i = 0; i < out.size(); ++i)
-      out[i] = needle::place_of(p.state.needle.rod,
-                                needle::point_at_arc(p.model.rod, static_cast<double>(i) / last * p.model.scene.needle.length));
+      out[i] = needle::place_of(
+          p.state.needle.rod,
+          needle::point_at_arc(p.model.rod, static_cast<double>(i) / last * p.model.scene.needle.length));
     return;
   }
   const NeedlePlace place = place_needle(p.model, p.state);
@@ -143,7 +146,10 @@ std::uint64_t Simulation::state_hash() const {
                            s.tip_rate,
                            s.channel_depth,
                            s.tip_elongation};
-  return hash_of(needle, hash);
+  hash = hash_of(needle, hash);
+  if (!parts_->model.bends_freely()) return hash;
+  for (const Vec3& x : s.needle.rod.position) hash = hash_of({x.data(), 3}, hash);
+  return hash_of(s.needle.rod.rate, hash);
 }
 
 }  // namespace acus

@@ -12,8 +12,6 @@ Stage stage_of(const State& s, const Observed& o) {
   return s.buckled ? Stage::inserted_buckled : Stage::inserted;
 }
 
-}  // namespace
-
 void decide_stage(State& s, const Observed& o, Frame& frame, std::vector<Event>& events) {
   const auto happened = [&](EventKind kind) {
     if (events.size() < events.capacity())
@@ -21,10 +19,10 @@ void decide_stage(State& s, const Observed& o, Frame& frame, std::vector<Event>&
   };
   const Stage before = frame.stage;
   if (before == Stage::free && o.tip_force > 0.0) happened(EventKind::contact);
-  if (!s.buckled && (o.column_load >= o.critical_load || o.bow_ratio >= bent)) {
+  if (!s.buckled && o.bent == Bent::yes) {
     s.buckled = true;
     happened(s.punctured && !o.ruptured_now ? EventKind::second_buckling : EventKind::buckling);
-  } else if (s.buckled && o.column_load < straight_again * o.critical_load && o.bow_ratio < 0.5 * bent) {
+  } else if (s.buckled && o.bent == Bent::no) {
     s.buckled = false;
     happened(EventKind::straightening);
   }
@@ -32,6 +30,36 @@ void decide_stage(State& s, const Observed& o, Frame& frame, std::vector<Event>&
   frame.stage = stage_of(s, o);
   if (o.through_now || (frame.stage == Stage::withdrawn && before != Stage::withdrawn))
     happened(EventKind::exit);
+}
+
+}  // namespace
+
+Bent column_bent(double load, double critical_load, double bow_ratio) {
+  constexpr double bent = 0.05, straight_again = 0.9;
+  if (load >= critical_load || bow_ratio >= bent) return Bent::yes;
+  return load < straight_again * critical_load && bow_ratio < 0.5 * bent ? Bent::no : Bent::in_between;
+}
+
+Bent rod_bent(double bow_ratio) {
+  constexpr double bent = 0.02;
+  if (bow_ratio >= bent) return Bent::yes;
+  return bow_ratio < 0.5 * bent ? Bent::no : Bent::in_between;
+}
+
+void show(const Model& m, State& s, const Observed& o, Frame& frame, std::vector<Event>& events) {
+  frame.time = static_cast<double>(s.steps) * m.scene.run.time_step;
+  frame.hand_travel = s.hub_travel;
+  frame.hand_force = o.hand_force;
+  frame.tip_force = o.tip_force;
+  frame.tip_depth = s.tip_position;
+  frame.inserted_length = o.inserted_length;
+  frame.free_length = o.free_length;
+  frame.critical_load = o.critical_load;
+  frame.deflection = o.bow;
+  frame.ledger = s.ledger;
+  frame.energy_residual = force::residual(s.ledger);
+  frame.energy_force = s.energy_force.after(s.hub_travel, force::accounted(s.ledger));
+  decide_stage(s, o, frame, events);
 }
 
 }  // namespace acus

@@ -12,11 +12,11 @@ namespace acus {
 // A needle that is a rod, and the channel that its tip has cut: straight or not, as the tip went.
 struct RodNeedle {
   needle::RodState rod;
-  coupling::Channel channel;          // as far as it is cut
-  std::vector<Vec3> cell_point;       // m, at rest, [cells]
-  std::vector<double> cell_lateral;   // N/m^2, of the near field, [cells]
-  Vec3 channel_end{0.0, 0.0, 0.0};    // m, at rest
-  Vec3 tip_offset{0.0, 0.0, 0.0};     // m, of the tip from there, across its axis, where it touched
+  coupling::Channel channel;         // as far as it is cut
+  std::vector<Vec3> cell_point;      // m, at rest, [cells]
+  std::vector<double> cell_lateral;  // N/m^2, of the near field, [cells]
+  Vec3 channel_end{0.0, 0.0, 0.0};   // m, at rest
+  Vec3 tip_offset{0.0, 0.0, 0.0};    // m, of the tip from there, across its axis, where it touched
 };
 
 struct State {
@@ -37,7 +37,7 @@ struct State {
   double tip_elongation = 0.0;  // m, of the contact spring; negative: the gap to the channel's end
   coupling::Attachment tip;     // at the channel's end
   coupling::ChannelState channel;
-  RodNeedle needle;             // where the needle is a rod
+  RodNeedle needle;  // where the needle is a rod
 
   bool buckled = false;
   force::Ledger ledger;

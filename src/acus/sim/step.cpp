@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "acus/needle/buckling.h"
 #include "acus/sim/stage.h"
 #include "acus/sim/tissue_step.h"
 
@@ -153,19 +152,6 @@ bool move_together(const Model& m, State& s, Scratch& w, double hand_travel, Bef
   return true;
 }
 
-void show(const State& s, const Observed& observed, const NeedlePlace& place, double bow, Frame& frame) {
-  frame.hand_travel = s.hub_travel;
-  frame.hand_force = observed.column_load;
-  frame.tip_force = observed.tip_force;
-  frame.tip_depth = s.tip_position;
-  frame.inserted_length = place.inserted_length;
-  frame.free_length = place.free_length;
-  frame.critical_load = observed.critical_load;
-  frame.deflection = bow;
-  frame.ledger = s.ledger;
-  frame.energy_residual = force::residual(s.ledger);
-}
-
 }  // namespace
 
 void advance(const Model& m, State& s, Scratch& w, double hand_travel, Frame& frame,
@@ -187,23 +173,21 @@ void advance(const Model& m, State& s, Scratch& w, double hand_travel, Frame& fr
     account_contact(m, s, before);
   }
   ++s.steps;
-  frame.time = static_cast<double>(s.steps) * m.scene.run.time_step;
   if (m.rigid()) s.tip_position = std::min(hand_travel, 0.0);  // the stop holds the tip only from one side
-  observed.column_load = column_load(m, before.place.free_length, hand_travel - s.tip_position);
-  s.hub_travel = hand_travel - observed.column_load * m.grip_compliance;
-  if (m.rigid()) observed.tip_force = std::max(observed.column_load, 0.0);
+  observed.hand_force = column_load(m, before.place.free_length, hand_travel - s.tip_position);
+  s.hub_travel = hand_travel - observed.hand_force * m.grip_compliance;
+  if (m.rigid()) observed.tip_force = std::max(observed.hand_force, 0.0);
   const NeedlePlace place = place_needle(m, s);
   const needle::ColumnResponse column =
       needle::column_response(m.column, place.free_length, place.shortening);
-  account_needle(m, s, before, observed.column_load, column.energy);
+  account_needle(m, s, before, observed.hand_force, column.energy);
 
-  observed.bow_ratio = column.bow / place.free_length;
   observed.inserted_length = place.inserted_length;
-  observed.critical_load = needle::critical_load(needle::bending_rigidity(m.scene.needle), place.free_length,
-                                                 m.scene.needle.support);
-  show(s, observed, place, column.bow, frame);
-  frame.energy_force = s.energy_force.after(s.hub_travel, force::accounted(s.ledger));
-  decide_stage(s, observed, frame, events);
+  observed.free_length = place.free_length;
+  observed.bow = column.bow;
+  observed.critical_load = critical_load(m, place.free_length);
+  observed.bent = column_bent(observed.hand_force, observed.critical_load, column.bow / place.free_length);
+  show(m, s, observed, frame, events);
   frame.health = health_of(s, column, place, m.scene.needle.radius);
   probe(StepPart::ledger);
 }

@@ -16,7 +16,8 @@ void move_tissue(const Model& m, State& s, Scratch& w, TissueBefore& before, con
   const double h = m.scene.run.time_step;
   s.velocity_change = s.velocity;
   numeric::add_scaled_into(s.velocity_change, -1.0, w.velocity_before);
-  before.elastic_work = h * numeric::dot(std::span(w.corotation.elastic_force).first(s.velocity.size()), s.velocity);
+  before.elastic_work =
+      h * numeric::dot(std::span(w.corotation.elastic_force).first(s.velocity.size()), s.velocity);
   tissue::multiply_into(w.product, m.tissue, w.corotation, w.matrix, s.velocity);
   before.matrix_product = numeric::dot(s.velocity, w.product);
   probe(StepPart::ledger);
@@ -25,8 +26,8 @@ void move_tissue(const Model& m, State& s, Scratch& w, TissueBefore& before, con
   probe(StepPart::rotation);
 }
 
-// Exact identities of linearly implicit Euler (motion.h): with K' frozen the elastic energy is quadratic, so its change is
-// -f_el . dx + dx . K' dx / 2, and what the new rotations change is booked too.
+// Exact identities of linearly implicit Euler (motion.h): with K' frozen the elastic energy is quadratic, so
+// its change is -f_el . dx + dx . K' dx / 2, and what the new rotations change is booked too.
 void account_tissue(const Model& m, State& s, const Scratch& w, const TissueBefore& before) {
   const double h = m.scene.run.time_step;
   const double vmv = tissue::mass_product(m.tissue, s.velocity);

@@ -9,9 +9,10 @@ namespace acus {
 
 // What the end of a step must know of its beginning.
 struct TissueBefore {
-  double energy = 0.0;          // J
-  double elastic_work = 0.0;    // J, of the forces at the beginning over the step's displacement
-  double matrix_product = 0.0;  // kg m^2/s^2, v . A v with the matrix at the beginning and the step's velocity
+  double energy = 0.0;        // J
+  double elastic_work = 0.0;  // J, of the forces at the beginning over the step's displacement
+  double matrix_product =
+      0.0;  // kg m^2/s^2, v . A v with the matrix at the beginning and the step's velocity
 };
 
 // Momentum and matrix at the present positions, without the needle.
@@ -30,7 +31,8 @@ inline auto preconditioner(const Model& m, Scratch& w) {
 }
 
 // The solved velocity carried out.
-void move_tissue(const Model& model, State& state, Scratch& scratch, TissueBefore& before, const StepProbe& probe);
+void move_tissue(const Model& model, State& state, Scratch& scratch, TissueBefore& before,
+                 const StepProbe& probe);
 
 // Tissue's lines of the ledger; its kinetic energy replaces the line.
 void account_tissue(const Model& model, State& state, const Scratch& scratch, const TissueBefore& before);

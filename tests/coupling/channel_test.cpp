@@ -15,9 +15,10 @@ constexpr int cells = 20;
 
 Channel some_channel() {
   Channel channel;
-  channel.friction = 40.0;  // N/m
-  channel.stiffness = 5e4;  // N/m^2
+  channel.friction = 40.0;               // N/m
+  channel.stiffness.assign(cells, 5e4);  // N/m^2
   channel.attachment.resize(cells);
+  channel.count = cells;
   return channel;
 }
 ChannelState empty_state() { return {std::vector<double>(cells, 0.0), std::vector<double>(cells, 0.0)}; }
@@ -26,7 +27,8 @@ double total(const std::vector<double>& values) { return std::accumulate(values.
 double stored(const Channel& channel, const ChannelState& state) {
   double energy = 0.0;
   for (int cell = 0; cell < cells; ++cell)
-    energy += 0.5 * channel.stiffness * state.length[cell] * state.elongation[cell] * state.elongation[cell];
+    energy +=
+        0.5 * channel.stiffness[cell] * state.length[cell] * state.elongation[cell] * state.elongation[cell];
   return energy;
 }
 
@@ -44,9 +46,9 @@ TEST(Channel, keeps_the_force_where_needle_arrives_and_the_elongation_where_it_l
   ChannelState state = empty_state();
   cover(state, channel, 2e-3, 2e-3);
   state.elongation[0] = state.elongation[1] = 1e-4;
-  const double force = channel.stiffness * 1e-3 * 1e-4;
+  const double force = channel.stiffness[0] * 1e-3 * 1e-4;
   cover(state, channel, 2e-3, 3e-3);
-  EXPECT_NEAR(channel.stiffness * state.length[0] * state.elongation[0], force, 1e-15);
+  EXPECT_NEAR(channel.stiffness[0] * state.length[0] * state.elongation[0], force, 1e-15);
   const double elongation = state.elongation[0];
   cover(state, channel, 1.5e-3, 1.5e-3);
   EXPECT_EQ(state.elongation[0], elongation);

@@ -1,4 +1,5 @@
 // The energy ledger closes, and the force it implies is the one at the hub.
+#include <list>
 #include <map>
 
 #include "insertion.h"
@@ -33,6 +34,15 @@ std::vector<Case> cases() {
   back.hand.kind = HandKind::path;
   back.hand.path = {{0.0, 0.0}, {1.0, 20e-3}, {1.2, 20e-3}, {2.0, 2e-3}};
   all.push_back({"withdrawal", back});
+  for (const char* name : {"straight_puncture", "buckled", "snap", "withdrawal"})
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (std::string(name) == all[i].name) {
+        Scene rod = all[i].scene;
+        rod.needle_model = NeedleModel::rod;
+        static std::list<std::string> names;
+        all.push_back({names.emplace_back("rod_" + std::string(name)).c_str(), rod});
+        break;
+      }
   return all;
 }
 

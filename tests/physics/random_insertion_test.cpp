@@ -9,11 +9,12 @@ using namespace acus::physics;
 
 namespace {
 
-Scene random_scene(std::mt19937_64& random) {
+Scene random_scene(std::mt19937_64& random, NeedleModel model) {
   const auto between = [&](double a, double b) {
     return std::uniform_real_distribution<double>(a, b)(random);
   };
   Scene scene;
+  scene.needle_model = model;
   scene.needle.length = between(0.06, 0.3);
   scene.needle.radius = between(0.1e-3, 0.7e-3);
   scene.needle.youngs_modulus = between(40e9, 220e9);
@@ -36,10 +37,14 @@ Scene random_scene(std::mt19937_64& random) {
   return scene;
 }
 
-TEST(RandomInsertion, stays_finite_closes_the_ledger_and_creates_no_energy) {
+class RandomInsertion : public testing::TestWithParam<NeedleModel> {};
+INSTANTIATE_TEST_SUITE_P(Of, RandomInsertion, testing::Values(NeedleModel::column, NeedleModel::rod),
+                         [](const auto& of) { return of.param == NeedleModel::rod ? "rods" : "columns"; });
+
+TEST_P(RandomInsertion, stays_finite_closes_the_ledger_and_creates_no_energy) {
   std::mt19937_64 random(20240917);
   for (int trial = 0; trial < 60; ++trial) {
-    const Scene scene = random_scene(random);
+    const Scene scene = random_scene(random, GetParam());
     SCOPED_TRACE("trial " + std::to_string(trial));
     const Insertion run = insert(scene);
     ASSERT_FALSE(run.frames.empty());

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <tuple>
 
 #include "acus/sim/hand.h"
 #include "acus/sim/simulation.h"
@@ -10,18 +11,19 @@
 namespace acus {
 namespace {
 
-class StepAllocation : public ::testing::TestWithParam<std::pair<Element, Coupling>> {};
-INSTANTIATE_TEST_SUITE_P(, StepAllocation,
-                         ::testing::Values(std::pair{Element::nodal_pressure, Coupling::embedded},
-                                           std::pair{Element::linear, Coupling::embedded},
-                                           std::pair{Element::linear, Coupling::nearest_node}));
+class StepAllocation : public ::testing::TestWithParam<std::tuple<Element, Coupling, NeedleModel>> {};
+INSTANTIATE_TEST_SUITE_P(
+    , StepAllocation,
+    ::testing::Values(std::tuple{Element::nodal_pressure, Coupling::embedded, NeedleModel::column},
+                      std::tuple{Element::linear, Coupling::embedded, NeedleModel::column},
+                      std::tuple{Element::linear, Coupling::nearest_node, NeedleModel::column},
+                      std::tuple{Element::nodal_pressure, Coupling::embedded, NeedleModel::rod}));
 
 // In and out again in 400 steps: contact, puncture, cutting, withdrawal.
 TEST_P(StepAllocation, is_none_through_contact_puncture_and_withdrawal) {
   Scene scene;
   scene.tissue.tetrahedra = 600;
-  scene.tissue.element = GetParam().first;
-  scene.contact.coupling = GetParam().second;
+  std::tie(scene.tissue.element, scene.contact.coupling, scene.needle_model) = GetParam();
   scene.contact.rupture_force = 0.5;  // N
   auto built = Simulation::build(scene);
   ASSERT_TRUE(built.ok()) << built.error().sentence;

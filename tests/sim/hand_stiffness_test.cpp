@@ -12,6 +12,7 @@ struct Case {
   const char* name;
   double length, travel, time_step, tolerance;  // m, m, s, -
   double grip = 0.0;                            // N/m
+  NeedleModel model = NeedleModel::column;
 };
 
 class HandStiffness : public testing::TestWithParam<Case> {};
@@ -22,6 +23,7 @@ Scene scene_of(const Case& c) {
   scene.tissue.tetrahedra = 1000;
   scene.run.time_step = c.time_step;
   scene.hand.stiffness = c.grip;
+  scene.needle_model = c.model;
   return scene;
 }
 
@@ -49,19 +51,26 @@ TEST_P(HandStiffness, is_the_derivative_of_the_force_with_the_travel_of_the_step
   EXPECT_NEAR(stiffness, difference, c.tolerance * difference);
 }
 
-INSTANTIATE_TEST_SUITE_P(In, HandStiffness,
-                         testing::Values(Case{"contact", 0.15, 3e-3, 1e-3, 0.01},
-                                         Case{"contact_in_long_steps", 0.15, 3e-3, 10e-3, 0.02},
-                                         Case{"buckled", 0.2, 8e-3, 1e-3, 0.01},
-                                         Case{"inserted", 0.15, 16e-3, 5e-3, 0.01},
-                                         Case{"contact_through_a_grip", 0.15, 6e-3, 1e-3, 0.01, 350.0},
-                                         Case{"buckled_through_a_grip", 0.2, 10e-3, 1e-3, 0.01, 350.0}),
-                         [](const auto& of) { return std::string(of.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    In, HandStiffness,
+    testing::Values(Case{"contact", 0.15, 3e-3, 1e-3, 0.01},
+                    Case{"contact_in_long_steps", 0.15, 3e-3, 10e-3, 0.02},
+                    Case{"buckled", 0.2, 8e-3, 1e-3, 0.01}, Case{"inserted", 0.15, 16e-3, 5e-3, 0.01},
+                    Case{"contact_through_a_grip", 0.15, 6e-3, 1e-3, 0.01, 350.0},
+                    Case{"buckled_through_a_grip", 0.2, 10e-3, 1e-3, 0.01, 350.0},
+                    Case{"contact_of_a_rod", 0.15, 3e-3, 1e-3, 0.01, 0.0, NeedleModel::rod},
+                    Case{"bent_rod", 0.2, 8e-3, 1e-3, 0.01, 0.0, NeedleModel::rod},
+                    Case{"inserted_rod", 0.15, 16e-3, 5e-3, 0.01, 0.0, NeedleModel::rod},
+                    Case{"bent_rod_through_a_grip", 0.2, 10e-3, 1e-3, 0.01, 350.0, NeedleModel::rod}),
+    [](const auto& of) { return std::string(of.param.name); });
 
 // A hand that holds the hub through a spring is felt as one that takes the hub itself where the spring let it
 // go.
-TEST(Grip, gives_way_by_the_force_over_its_stiffness) {
-  Scene scene = scene_of({"", 0.2, 0.0, 1e-3, 0.0, 350.0});
+class Grip : public testing::TestWithParam<NeedleModel> {};
+INSTANTIATE_TEST_SUITE_P(Of, Grip, testing::Values(NeedleModel::column, NeedleModel::rod));
+
+TEST_P(Grip, gives_way_by_the_force_over_its_stiffness) {
+  Scene scene = scene_of({"", 0.2, 0.0, 1e-3, 0.0, 350.0, GetParam()});
   scene.contact.rupture_force = 0.66;  // it buckles, punctures and springs back on the way
   Result<Simulation> held = Simulation::build(scene);
   scene.hand.stiffness = 0.0;

@@ -15,18 +15,18 @@ double cover(ChannelState& state, const Channel& channel, double depth, double i
     double& elongation = state.elongation[cell];
     const double now = stretch * std::clamp(depth - cell * channel_cell, 0.0, channel_cell);
     if (now == length) continue;
-    const double stored = 0.5 * channel.stiffness * length * elongation * elongation;
+    const double stored = 0.5 * channel.stiffness[cell] * length * elongation * elongation;
     if (now > length) elongation *= length / now;
     if (now == 0.0) elongation = 0.0;
     length = now;
-    released += stored - 0.5 * channel.stiffness * length * elongation * elongation;
+    released += stored - 0.5 * channel.stiffness[cell] * length * elongation * elongation;
   }
   return released;
 }
 
 Slider slider_of(const Channel& channel, const ChannelState& state, int cell) {
   const double limit = channel.friction * state.length[cell];
-  return {channel.stiffness * state.length[cell], state.elongation[cell], -limit, limit, false};
+  return {channel.stiffness[cell] * state.length[cell], state.elongation[cell], -limit, limit, false};
 }
 
 }  // namespace acus::coupling

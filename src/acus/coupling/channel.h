@@ -22,7 +22,7 @@ double sleeve_stiffness(double shear_modulus);
 // One attachment per cell, of its middle.
 struct Channel {
   double friction = 0.0;               // N/m, limit of the force per length
-  double stiffness = 0.0;              // N/m^2, pre-sliding, per length
+  std::vector<double> stiffness;       // N/m^2, pre-sliding, per length; at least `count`
   std::vector<Attachment> attachment;  // at least `count`
   int count = 0;
 

@@ -77,9 +77,9 @@ Result<mesh::TetMesh> tissue_mesh(Model& m, const mesh::TetMesh* given) {
 void build_channel(Model& m) {
   const ContactScene& c = m.scene.contact;
   m.channel.friction = c.friction;
-  m.channel.stiffness = coupling::sleeve_stiffness(m.tissue.shear.front());
   const int cells = static_cast<int>(m.path.length / coupling::channel_cell) + 1;
   m.channel.attachment.resize(cells);
+  m.channel.stiffness.assign(cells, coupling::sleeve_stiffness(m.tissue.shear.front()));
   m.channel.count = cells;
   for (int cell = 0; cell < cells; ++cell) {
     const double depth = std::min((cell + 0.5) * coupling::channel_cell, m.path.length);

@@ -129,10 +129,11 @@ void add_cell(const Model& m, State& s, const Vec3& direction) {
   n.cell_point[cell] = point;
   const auto held = m.locator->locate(point, m.scene.contact.contact_radius);
   const int tet = held ? held->tet : 0;
-  n.cell_lateral[cell] =
+  const coupling::NearField near =
       coupling::near_field(tissue::shear_modulus(m.material()), m.scene.tissue.poisson_ratio,
-                           spacing(m.tissue.volume[tissue::lane_place(tet, 0, 1)]), m.scene.needle.radius)
-          .lateral;
+                           spacing(m.tissue.volume[tissue::lane_place(tet, 0, 1)]), m.scene.needle.radius);
+  n.cell_lateral[cell] = near.lateral;
+  n.channel.stiffness[cell] = near.axial;
   ++n.channel.count;
 }
 

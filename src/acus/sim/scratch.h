@@ -33,6 +33,8 @@ struct RodContact {
   int cell = -1;                           // of the channel; -1 for the tip
   Vec3 force{0.0, 0.0, 0.0};               // N, on this branch
   Mat3 stiffness = Mat3::Zero();           // N/m, on this branch
+  Vec3 rate_before{0.0, 0.0, 0.0};         // m/s, of the rod against the tissue at the start of a line search
+  Vec3 rate_change{0.0, 0.0, 0.0};         // m/s, over its whole step
 };
 
 struct RodScratch {
@@ -40,6 +42,8 @@ struct RodScratch {
   std::vector<RodContact> contacts;  // the tip first
   std::vector<double> free_answer;   // of the rod while the tissue rests, [unknowns]
   std::vector<double> load;          // [unknowns]
+  needle::RodState before;           // at the start of a line search
+  std::vector<double> change;        // of the rates over its whole step, [unknowns]
 };
 
 struct Scratch {

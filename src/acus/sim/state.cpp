@@ -55,6 +55,7 @@ State initial_state(const Model& m) {
   n.channel = m.channel;
   n.channel.count = 0;
   n.channel.attachment.resize(cells);
+  n.channel.stiffness.resize(cells);
   for (coupling::Attachment& at : n.channel.attachment) at.reserve(4);
   n.cell_point.resize(cells);
   n.cell_lateral.resize(cells);

@@ -1,0 +1,161 @@
+// A needle that is a rod: buckling, snapping straight and buckling again come out of its mechanics alone.
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "acus/io/mesh_file.h"
+#include "insertion.h"
+
+using namespace acus;
+using namespace acus::physics;
+using needle::Support;
+
+namespace {
+
+// Table I's needle: EI = 1.2723e-3 N m^2, so pi^2 EI / L^2 = 0.31394 N at 200 mm; factors of Euler's theory.
+constexpr double pinned_pinned_load = 0.31394;  // N
+
+Scene in_testing_machine(Support support, double shortening_ratio) {
+  Scene scene;
+  scene.needle_model = NeedleModel::rod;
+  scene.needle.support = support;
+  scene.tissue.rigid = true;
+  scene.contact.stiffness = 1e5;
+  scene.hand.travel = shortening_ratio * scene.needle.length;
+  return scene;
+}
+
+class Rod : public testing::TestWithParam<std::pair<Support, double>> {};
+INSTANTIATE_TEST_SUITE_P(FourSupports, Rod,
+                         testing::Values(std::pair{Support::pinned_pinned, 1.0},
+                                         std::pair{Support::clamped_pinned, 2.04575},
+                                         std::pair{Support::clamped_clamped, 4.0},
+                                         std::pair{Support::clamped_free, 0.25}));
+
+// Southwell's plot: bow against bow / load is a straight line whose slope is the critical load, whatever the
+// imperfection.
+TEST_P(Rod, southwell_plot_gives_euler_load) {
+  const auto [support, factor] = GetParam();
+  Scene scene = in_testing_machine(support, 0.002);
+  scene.needle.imperfection = 0.2e-3;
+  scene.hand.speed = 0.5e-3;
+  const Insertion run = insert(scene);
+  const double initial = run.frames.front().deflection;
+  std::vector<std::pair<double, double>> plot;  // (bow - initial) / load, bow - initial
+  for (const Frame& f : run.frames) {
+    const double bow = f.deflection - initial;
+    if (bow > 0.5e-3 && bow < 3e-3) plot.push_back({bow / f.hand_force, bow});
+  }
+  ASSERT_GT(plot.size(), 5u);
+  double mx = 0, my = 0, sxy = 0, sxx = 0;
+  for (auto [x, y] : plot) mx += x, my += y;
+  mx /= static_cast<double>(plot.size()), my /= static_cast<double>(plot.size());
+  for (auto [x, y] : plot) sxy += (x - mx) * (y - my), sxx += (x - mx) * (x - mx);
+  EXPECT_NEAR(sxy / sxx, factor * pinned_pinned_load, 0.005 * factor * pinned_pinned_load);
+}
+
+// What buckles is neither the time step's doing nor the hand's speed.
+TEST(RodInTissue, buckles_at_the_same_load_at_every_step_and_speed) {
+  std::vector<double> loads;
+  for (const auto& [step, speed] : {std::pair{0.25e-3, 10e-3}, std::pair{1e-3, 1e-3}, std::pair{1e-3, 10e-3},
+                                    std::pair{2e-3, 10e-3}, std::pair{1e-3, 50e-3}}) {
+    Scene scene = table_one(0.2, 14e-3, speed, 600);
+    scene.needle_model = NeedleModel::rod;
+    scene.run.time_step = step;
+    const Insertion run = insert(scene);
+    ASSERT_TRUE(run.first(EventKind::buckling)) << step << ' ' << speed;
+    // Well after, when the bow has come to rest with the load: what it then carries.
+    loads.push_back(run.frames.back().hand_force);
+    EXPECT_NEAR(loads.back(), loads.front(), 0.02 * loads.front()) << step << ' ' << speed;
+  }
+  EXPECT_NEAR(loads.front(), 2.04575 * pinned_pinned_load, 0.03 * loads.front());
+}
+
+// Held still for a minute nothing creeps.
+TEST(RodInTissue, rests_when_the_hand_rests) {
+  Scene scene = table_one(0.15, 15e-3, 30e-3, 600);
+  scene.needle_model = NeedleModel::rod;
+  scene.run.time_step = 5e-3;
+  scene.hand.kind = HandKind::path;
+  scene.hand.path = {{0.0, 0.0}, {0.5, 15e-3}, {1.5, 15e-3}, {61.5, 15e-3}};
+  const Insertion run = insert(scene);
+  const auto at = [&](double time) {
+    return run.frames[static_cast<std::size_t>(std::lround(time / 5e-3)) - 1];
+  };
+  EXPECT_GT(at(1.5).inserted_length, 5e-3);
+  EXPECT_NEAR(at(61.5).tip_depth, at(1.5).tip_depth, 1e-6);
+  EXPECT_EQ(at(61.5).ledger.work_cutting, at(1.5).ledger.work_cutting);
+}
+
+// Drawn back, friction turns round and cutting gives nothing back; pushed in again, the needle follows its
+// channel.
+TEST(RodInTissue, goes_out_and_in_again_through_its_channel) {
+  Scene scene = table_one(0.15, 25e-3, 30e-3, 800);
+  scene.needle_model = NeedleModel::rod;
+  scene.hand.kind = HandKind::path;
+  scene.hand.path = {{0.0, 0.0}, {1.0, 25e-3}, {1.5, 12e-3}, {2.1, 24e-3}};
+  const Insertion run = insert(scene);
+  const Frame& back = run.frames[1499];
+  EXPECT_LT(back.hand_force, -0.1);
+  EXPECT_EQ(back.ledger.work_cutting, run.frames[1020].ledger.work_cutting);
+  // Nothing is cut before the tip is where it was.
+  EXPECT_EQ(run.frames.back().ledger.work_cutting, back.ledger.work_cutting);
+  EXPECT_GT(run.frames.back().hand_force, 0.1);
+  EXPECT_EQ(std::count_if(run.events.begin(), run.events.end(),
+                          [](const Event& e) { return e.kind == EventKind::puncture; }),
+            1);
+}
+
+// Second buckling loads of an independent program (../data: Euler-Bernoulli beam of 160 elements, lateral
+// stiffness condensed from the tetrahedra of the mesh, near field with beta = 0.3). Nothing is cut; dry
+// friction carries all of the load, so the axial force falls linearly along what is inside.
+class EmbeddedNeedle : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(On, EmbeddedNeedle, testing::Values("block_2k", "graded_12k"));
+
+TEST_P(EmbeddedNeedle, buckles_at_the_load_of_an_independent_program) {
+  const char* given = std::getenv("ACUS_DATA");  // see CONTRIBUTING.md
+  if (given == nullptr) GTEST_SKIP() << "ACUS_DATA names no folder of other programs' results";
+  const auto folder = std::filesystem::path(given) / "embedded_needle";
+  const auto all = nlohmann::json::parse(std::ifstream(folder / "loads.json"));
+  const auto& table = all["with_subgrid_compliance_beta_0.3_N"][GetParam()];
+  const auto expected = [&](double depth) {
+    const double at[] = {10e-3, 20e-3, 30e-3, 45e-3};
+    const auto load = [&](int i) { return table[std::to_string(std::lround(1e3 * at[i]))].get<double>(); };
+    const int i = depth < at[1] ? 0 : depth < at[2] ? 1 : 2;
+    return load(i) + (load(i + 1) - load(i)) * (depth - at[i]) / (at[i + 1] - at[i]);
+  };
+  const auto mesh = io::read_mesh((folder / (std::string(GetParam()) + ".msh")).string(), 1.0);
+  ASSERT_TRUE(mesh.ok()) << mesh.error().sentence;
+  for (const double depth : {10e-3, 20e-3, 45e-3}) {
+    Scene scene;
+    scene.needle_model = NeedleModel::rod;
+    scene.needle.imperfection = 0.01e-3;
+    scene.tissue.element = Element::linear;
+    scene.tissue.mesh = "given";
+    scene.tissue.target = {1e-5, 1e-5, 0.03};
+    scene.tissue.fixed_fraction = 0.001;
+    scene.tissue.tetrahedra = 100;  // as it is
+    scene.contact.rupture_force = 1e-3;
+    scene.contact.fracture_toughness = 0.0;
+    scene.contact.friction = expected(depth) / depth;
+    scene.run.solver_tolerance = 1e-4;
+    auto simulation = Simulation::build(scene, &*mesh);
+    ASSERT_TRUE(simulation.ok()) << simulation.error().sentence;
+    // The deeper the more friction carries, until the needle gives way.
+    double travel = 0.0;
+    while (simulation->frame().deflection < 0.02 * simulation->frame().free_length && travel < 1.5 * depth) {
+      const bool near = simulation->frame().inserted_length > 0.85 * depth;
+      ASSERT_EQ(simulation->step(travel += near ? 5e-6 : 20e-6).health, Health::good);
+    }
+    const Frame& bent = simulation->frame();
+    RecordProperty("depth_mm_" + std::to_string(std::lround(1e3 * depth)),
+                   std::to_string(1e3 * bent.inserted_length));
+    RecordProperty("load_N_" + std::to_string(std::lround(1e3 * depth)), std::to_string(bent.hand_force));
+    EXPECT_NEAR(bent.hand_force, expected(bent.inserted_length), 0.05 * bent.hand_force)
+        << "at a depth of " << 1e3 * bent.inserted_length << " mm";
+  }
+}
+
+}  // namespace

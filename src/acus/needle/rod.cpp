@@ -50,12 +50,6 @@ RodState straight_rod(const Rod& rod, const Pose& hub) {
   return s;
 }
 
-Vec3 transported(const Vec3& v, const Vec3& from, const Vec3& to) {
-  const double c = from.dot(to);
-  const Vec3 axis = from.cross(to);
-  return c * v + axis.cross(v) + axis * (axis.dot(v) / (1.0 + c));
-}
-
 void displace(RodState& s, const Rod& rod, const std::vector<double>& change) {
   const auto step = [&](int node) {
     return Vec3(change[place_at(node)], change[place_at(node) + 1], change[place_at(node) + 2]);

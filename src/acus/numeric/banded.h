@@ -22,6 +22,14 @@ class BandedMatrix {
 
   // Adds to (row, column) and (column, row), which are one number here; row >= column.
   void add(int row, int column, double value) { column_of(column)[row - column] += value; }
+  // Two such, one below the other; the second may be 0 and just below the band.
+  void add(int row, int column, Lane2 values) {
+    double* const to = &column_of(column)[row - column];
+    Lane2 sum;
+    std::memcpy(&sum, to, sizeof sum);
+    sum += values;
+    std::memcpy(to, &sum, sizeof sum);
+  }
   double at(int row, int column) const {
     return row >= column ? column_of(column)[row - column] : column_of(row)[column - row];
   }

@@ -20,9 +20,9 @@ Side held_side(const Pose& pose) { return {pose.tangent, pose.director, 0.0}; }
 // Energy of a node by the edges beside it, its gradient and the parts of its Hessian: a before the node, b
 // behind it.
 struct NodeTerms {
-  double bending = 0.0, twist = 0.0;  // J
+  double bending, twist;  // J
   Vec3 ga, gb;                        // N, by the edge vectors
-  double spin_a = 0.0, spin_b = 0.0;  // N m, by the spins
+  double spin_a, spin_b;  // N m, by the spins
 };
 
 using numeric::Lane2;
@@ -47,6 +47,9 @@ struct Block {
   friend ACUS_INLINE Block operator+(const Block& a, const Block& b) {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
   }
+  friend ACUS_INLINE Block operator-(const Block& a, const Block& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+  }
   friend ACUS_INLINE Block operator*(double d, const Block& b) { return {d * b.x, d * b.y, d * b.z}; }
 };
 ACUS_INLINE Block diagonal(double d) {
@@ -62,10 +65,14 @@ ACUS_INLINE Block cross(const Three& v) {
 }
 
 // All times one factor.
+struct SpinHessian {
+  Three a, b;  // N, of one edge's spin by the two edge vectors
+  double own;  // N m
+};
 struct NodeHessian {
   Block aa, ba, bb;      // N/m; the row is of b in ba
-  Three spin_a, spin_b;  // N, spin of b by the edge vectors; that of a is the opposite
-  double spin;           // N m, of each by itself; between them it is the opposite
+  SpinHessian sa, sb;
+  double between;        // N m, of the spins
 };
 
 // 2 atan(x), for a twist of up to an eighth by the first terms of Gregory's series: what is left out is below
@@ -81,60 +88,65 @@ double twice_arc(double x) {
 // Symbols: bend = EI / l_i, twist = GJ / l_i.
 template <bool with_hessian>
 NodeTerms node_terms(const Side& a, const Side& b, double bend, double twist,
-                     const std::array<double, 2>& natural, double factor, NodeHessian* h) {
+                     const std::array<double, 2>& natural, double factor, double compression, NodeHessian* h) {
   NodeTerms out;
   const double c = a.tangent.dot(b.tangent);
   const double inverse = 1.0 / (1.0 + c);
   const Vec3 kb = (2.0 * inverse) * a.tangent.cross(b.tangent);
-  const Vec3 mean_tangent = inverse * (a.tangent + b.tangent);
+  const Vec3 mean = inverse * (a.tangent + b.tangent);
 
   // |kb|^2 = 4 (1 - c) / (1 + c)
   const double slope = -4.0 * bend * inverse * inverse;
   const Vec3 ua = b.tangent - c * a.tangent;  // dc/da |a|
   const Vec3 ub = a.tangent - c * b.tangent;
-  out.bending = 2.0 * bend * (1.0 - c) * inverse;
-  out.ga = slope * ua;
-  out.gb = slope * ub;
 
-  if (natural[0] != 0.0 || natural[1] != 0.0) {
-    const Vec3 a2 = a.tangent.cross(a.director), b2 = b.tangent.cross(b.director);
-    // k0 . k = kb . fall / 2, and turned by a quarter
-    const Vec3 fall_a = natural[0] * a2 - natural[1] * a.director, fall_b = natural[0] * b2 - natural[1] * b.director;
-    const Vec3 fall = fall_a + fall_b;
-    const double along = 0.5 * kb.dot(fall);
-    out.bending += bend * (0.5 * (natural[0] * natural[0] + natural[1] * natural[1]) - along);
-    out.ga -= bend * (inverse * b.tangent.cross(fall) - along * mean_tangent);
-    out.gb += bend * (inverse * a.tangent.cross(fall) + along * mean_tangent);
-    out.spin_a = 0.5 * bend * kb.dot(natural[0] * a.director + natural[1] * a2);
-    out.spin_b = 0.5 * bend * kb.dot(natural[0] * b.director + natural[1] * b2);
-  }
+  // k0 . k = kb . (fa + fb) / 2: k0 in the directors of either edge, a quarter turn from there, and both together.
+  const Vec3 a2 = a.tangent.cross(a.director), b2 = b.tangent.cross(b.director);
+  const Vec3 fa = natural[0] * a2 - natural[1] * a.director, fb = natural[0] * b2 - natural[1] * b.director;
+  const Vec3 qa = natural[0] * a.director + natural[1] * a2, qb = natural[0] * b.director + natural[1] * b2;
+  const Vec3 f = inverse * (fa + fb);
+  const double along = 0.5 * kb.dot(fa + fb), across_a = 0.5 * kb.dot(qa), across_b = 0.5 * kb.dot(qb);
+  const Vec3 pa = along * mean - b.tangent.cross(f), pb = along * mean + a.tangent.cross(f);
 
-  const Vec3 carried = a.director - b.tangent.dot(a.director) * mean_tangent;
+  const Vec3 carried = a.director - b.tangent.dot(a.director) * mean;
   const double turn = twice_arc(b.tangent.dot(carried.cross(b.director)) / (1.0 + carried.dot(b.director)));
   const double torque = twist * turn;
+
+  out.bending =
+      bend * (2.0 * (1.0 - c) * inverse + 0.5 * (natural[0] * natural[0] + natural[1] * natural[1]) - along);
   out.twist = 0.5 * torque * turn;
-  out.ga = a.inverse_length * (out.ga + (0.5 * torque) * kb);
-  out.gb = b.inverse_length * (out.gb + (0.5 * torque) * kb);
-  out.spin_a -= torque;
-  out.spin_b += torque;
+  out.ga = a.inverse_length * (slope * ua + bend * pa + (0.5 * torque) * kb);
+  out.gb = b.inverse_length * (slope * ub + bend * pb + (0.5 * torque) * kb);
+  out.spin_a = bend * across_a - torque;
+  out.spin_b = bend * across_b + torque;
 
   if constexpr (with_hessian) {
     const double la = a.inverse_length, lb = b.inverse_length;
     const double s = factor * slope, curve = -2.0 * s * inverse, t = factor * twist, q = factor * torque;
-    const Three k(kb), ta(a.tangent), tb(b.tangent), va(ua), vb(ub), mean(mean_tangent);
+    const double n = -factor * compression * bend, bent = n * along * inverse;
+    const Three k(kb), ta(a.tangent), tb(b.tangent), va(ua), vb(ub), m(mean);
     // Times |a|^2, |b|^2 and |a| |b|.
-    const auto own = [&](const Three& tangent, const Three& u) {
-      return diagonal(-s * c) + outer(tangent, (s * c) * tangent) +
-             outer_both_ways(u, 0.5 * curve * u - s * tangent) +
-             outer_both_ways(k, (0.125 * t) * k - (0.25 * q) * (tangent + mean));
+    const auto own = [&](const Vec3& tangent, const Vec3& u, const Vec3& p, const Vec3& fall) {
+      const Three x(tangent), y(u);
+      const double in_line = s * c + bent;
+      return diagonal(-in_line) + outer(x, in_line * x) + outer_both_ways(y, 0.5 * curve * y - s * x) +
+             outer_both_ways(k, (0.125 * t) * k - (0.25 * q) * (x + m) + (0.25 * n) * Three(fall)) +
+             outer_both_ways(m, n * Three(p));
     };
-    h->aa = (la * la) * own(ta, va);
-    h->bb = (lb * lb) * own(tb, vb);
-    h->ba = (la * lb) * (diagonal(s) + outer(vb, curve * va - s * ta) + outer(-s * tb, tb) +
-                         outer((0.25 * t) * k - (0.5 * q) * mean, k) + cross((-q * inverse) * ta));
-    h->spin_a = (0.5 * t * la) * k;
-    h->spin_b = (0.5 * t * lb) * k;
-    h->spin = t;
+    h->aa = (la * la) * own(a.tangent, ua, pa, fa);
+    h->bb = (lb * lb) * own(b.tangent, ub, pb, fb);
+    h->ba = (la * lb) * (diagonal(s - bent) + outer(vb, curve * va - s * ta) - outer(tb, s * tb + bent * ta) +
+                         outer((0.25 * t) * k - (0.5 * q) * m, k) + outer(m, n * Three(pa)) + outer(n * Three(pb), m) +
+                         cross(n * Three(f) - (q * inverse) * ta));
+    const auto spin = [&](const Vec3& quarter, double across, const Vec3& fall, double sign) {
+      const Vec3 from_a = n * (across * mean - inverse * b.tangent.cross(quarter));
+      const Vec3 from_b = n * (across * mean + inverse * a.tangent.cross(quarter));
+      return SpinHessian{la * (Three(from_a) + (0.5 * sign * t) * k), lb * (Three(from_b) + (0.5 * sign * t) * k),
+                         t - 0.5 * n * kb.dot(fall)};
+    };
+    h->sa = spin(qa, across_a, fa, -1.0);
+    h->sb = spin(qb, across_b, fb, 1.0);
+    h->between = -t;
   }
   return out;
 }
@@ -178,14 +190,14 @@ ACUS_INLINE void add_node(RodMatrix& m, const Rod& rod, int i, const NodeHessian
   const int p = place_at(i - 1), q = place_at(i), r = place_at(i + 1);
   const int sa = spin_at(i - 1), sb = spin_at(i);
   if (before) {
-    m.add(sa, sa, h.spin);
-    add_spin(m, p, sa, h.spin_a);
-    add_spin(m, q, sa, h.spin_b - h.spin_a);
+    m.add(sa, sa, h.sa.own);
+    add_spin(m, p, sa, -1.0 * h.sa.a);
+    add_spin(m, q, sa, h.sa.a - h.sa.b);
   }
   if (behind) {
-    m.add(sb, sb, h.spin);
-    add_spin(m, q, sb, h.spin_a - h.spin_b);
-    add_spin(m, r, sb, h.spin_b);
+    m.add(sb, sb, h.sb.own);
+    add_spin(m, q, sb, h.sb.a - h.sb.b);
+    add_spin(m, r, sb, h.sb.b);
   }
   if (before && behind) {
     const Block across = -1.0 * h.ba;
@@ -199,9 +211,9 @@ ACUS_INLINE void add_node(RodMatrix& m, const Rod& rod, int i, const NodeHessian
     add(m, q, p, h.ba);
     add(m, r, q, h.ba);
     add(m, r, p, across);
-    m.add(sb, sa, -h.spin);
-    add_spin(m, p, sb, -1.0 * h.spin_a);
-    add_spin(m, r, sa, -1.0 * h.spin_b);
+    m.add(sb, sa, h.between);
+    add_spin(m, p, sb, -1.0 * h.sb.a);
+    add_spin(m, r, sa, h.sa.b);
   }
 }
 
@@ -252,7 +264,7 @@ RodEnergy forces(std::vector<double>& f, RodMatrix* matrix, double factor, doubl
       const double twist = rod.torsion * inverse;
       NodeHessian hessian;
       const NodeTerms n =
-          node_terms<with_matrix>(before, behind, bend, twist, rod.natural_turning[i], factor, &hessian);
+          node_terms<with_matrix>(before, behind, bend, twist, rod.natural_turning[i], factor, compression, &hessian);
       energy.bending += n.bending;
       energy.twist += n.twist;
       if (i > 0) {
@@ -298,7 +310,7 @@ Vec3 hub_moment(const Rod& rod, const RodState& s, const Pose& hub) {
   const Side first{edge(s, 0).normalized(), s.director[0], 0.0};
   const double bend = rod.hub_clamped ? rod.bending / rod.node_length[0] : 0.0;
   const NodeTerms n = node_terms<false>(held, first, bend, rod.torsion / rod.node_length[0],
-                                        rod.natural_turning[0], 0.0, nullptr);
+                                        rod.natural_turning[0], 0.0, 0.0, nullptr);
   return hub.tangent.cross(n.ga) + n.spin_a * hub.tangent;
 }
 

@@ -1,0 +1,140 @@
+// A rod in time, by implicit steps.
+#include "acus/needle/rod_motion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "testing_machine.h"
+
+namespace {
+
+using namespace machine;
+using std::numbers::pi;
+
+NeedleSpec needle(Support support, double imperfection = 0.0) {
+  NeedleSpec spec;  // Table I
+  spec.support = support;
+  spec.imperfection = imperfection;
+  return spec;
+}
+
+double kinetic(const Machine& m) { return 0.5 * inertia_product(m.rod, m.state.rate); }
+
+TEST(RodMotion, flies_on_with_a_hub_that_is_led_without_turning) {
+  Pose hub;
+  Machine m(needle(Support::clamped_free), 40, hub);
+  const Vec3 speed(0.3, -0.2, 0.5);
+  for (int i = 0; i < m.rod.unknowns(); ++i)
+    if (!is_spin(i)) m.state.rate[i] = speed[i % 4];
+  for (int step = 0; step < 100; ++step) {
+    hub.position += 1e-3 * speed;
+    ASSERT_TRUE(m.step(hub, Tip{}, 1e-3));
+  }
+  EXPECT_NEAR(kinetic(m) / (0.5 * mass(needle(Support::clamped_free)) * speed.squaredNorm()), 1.0, 1e-9);
+  EXPECT_LT(total(m.energy()), 1e-12);
+  EXPECT_LT(m.hub_force().norm(), 1e-6);
+}
+
+// A hub that turns about an axis across the needle, once to the full speed and then on: the needle follows like
+// a stiff rod, but for what its root bends when it is taken along.
+TEST(RodMotion, turns_with_its_hub) {
+  constexpr double h = 1e-3, speed = 2.0;  // s, rad/s
+  Pose hub;
+  Machine m(needle(Support::clamped_free), 40, hub);
+  double angle = 0.0;
+  for (int step = 1; step <= 4000; ++step) {
+    angle += h * speed * std::min(1.0, step / 1000.0);
+    const auto turned = Eigen::AngleAxisd(angle, Vec3(1.0, 1.0, 0.0).normalized());
+    hub.tangent = turned * Vec3(0.0, 0.0, -1.0);
+    hub.director = turned * Vec3(1.0, 0.0, 0.0);
+    ASSERT_TRUE(m.step(hub, Tip{}, h));
+  }
+  const NeedleSpec spec = needle(Support::clamped_free);
+  const double exact = mass(spec) * spec.length * spec.length * speed * speed / 6.0;
+  std::printf("%g %g\n", kinetic(m)/exact, total(m.energy())/exact);
+  EXPECT_NEAR(kinetic(m) / exact, 1.0, 0.01);
+  EXPECT_LT(total(m.energy()), 0.01 * exact);
+}
+
+// About its own axis it turns as one body, twisted by nothing in the end.
+TEST(RodMotion, spins_with_its_hub) {
+  constexpr double h = 1e-3, speed = 20.0;  // s, rad/s
+  Pose hub;
+  Machine m(needle(Support::clamped_free), 40, hub);
+  for (int step = 1; step <= 1000; ++step) {
+    hub.director = Eigen::AngleAxisd(h * step * speed, hub.tangent) * Vec3(1.0, 0.0, 0.0);
+    ASSERT_TRUE(m.step(hub, Tip{}, h));
+  }
+  const NeedleSpec spec = needle(Support::clamped_free);
+  EXPECT_NEAR(kinetic(m) / (0.25 * mass(spec) * spec.radius * spec.radius * speed * speed), 1.0, 1e-3);
+  EXPECT_LT(total(m.energy()), 1e-3 * kinetic(m));
+  EXPECT_NEAR(m.state.director.back().dot(hub.director), 1.0, 1e-6);
+}
+
+// Bends, stretches and twists a rod at random and throws it: implicit Euler only ever takes energy away.
+TEST(RodMotion, never_gains_energy_by_itself) {
+  std::mt19937_64 random(17);
+  std::normal_distribution<double> any;
+  for (const Support support : all_supports)
+    for (const double h : {1e-5, 1e-4, 1e-3}) {
+      const Pose hub;
+      Machine m(needle(support, 1e-3), 40, hub);
+      std::vector<double> change(m.rod.unknowns());
+      for (int i = place_at(1); i < m.rod.unknowns(); ++i) {
+        const double here = i / static_cast<double>(m.rod.unknowns());
+        change[i] = is_spin(i) ? 0.3 * std::sin(9.0 * here) : 0.02 * here * std::sin(i % 4 + 5.0 * here);
+        m.state.rate[i] = any(random) * (is_spin(i) ? 10.0 : 0.3);
+      }
+      displace(m.state, m.rod, change);
+      Tip tip;
+      tip.pose = hub;
+      tip.pose.position = m.state.position.back();
+      if (support != Support::clamped_free) tip.stiffness = 3e3 * Mat3::Identity();
+      const auto energy = [&] {
+        return kinetic(m) + total(m.energy()) +
+               0.5 * (tip.pose.position - m.state.position.back()).dot(m.tip_force(tip));
+      };
+      ASSERT_TRUE(m.step(hub, tip, h));
+      const double first = energy();
+      double last = first;
+      for (int step = 0; step < 200; ++step) {
+        ASSERT_TRUE(m.step(hub, tip, h)) << h << ' ' << step;
+        const double now = energy();
+        EXPECT_LT(now, last * (1.0 + 1e-9)) << h << ' ' << step;
+        last = now;
+      }
+      std::printf("%g %g -> %g\n", h, first, last);
+    }
+}
+
+TEST(RodMotion, stays_finite_when_the_hub_leaps) {
+  std::mt19937_64 random(23);
+  std::normal_distribution<double> any;
+  for (const Support support : all_supports) {
+    Pose hub;
+    Machine m(needle(support, 1e-4), 40, hub);
+    Tip tip;
+    tip.pose = hub;
+    tip.pose.position = m.state.position.back();
+    if (support != Support::clamped_free) tip.stiffness = 1e3 * Mat3::Identity();
+    int fails=0;
+    for (int step = 0; step < 200; ++step) {
+      if (step % 10 == 0) {
+        hub.position = 0.05 * Vec3(any(random), any(random), any(random));
+        hub.tangent = (Vec3(0.0, 0.0, -1.0) + 0.5 * Vec3(any(random), any(random), any(random))).normalized();
+        hub.director = hub.tangent.unitOrthogonal();
+      }
+      if (!m.step(hub, tip, 1e-3)) ++fails;
+      double worst=0;
+      for (const double rate : m.state.rate) {ASSERT_TRUE(std::isfinite(rate)) << step; worst=std::max(worst,std::abs(rate));}
+      for (const Vec3& x : m.state.position) ASSERT_TRUE(x.allFinite()) << step;
+      for (const Vec3& d : m.state.director) ASSERT_NEAR(d.norm(), 1.0, 1e-9) << step;
+    }
+    std::printf("fails %d\n",fails);
+  }
+}
+
+}  // namespace

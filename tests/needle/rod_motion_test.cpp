@@ -83,10 +83,11 @@ TEST(RodMotion, never_gains_energy_by_itself) {
       const Pose hub;
       Machine m(needle(support, 1e-3), 40, hub);
       std::vector<double> change(m.rod.unknowns());
+      const double phase = any(random);
       for (int i = place_at(1); i < m.rod.unknowns(); ++i) {
         const double here = i / static_cast<double>(m.rod.unknowns());
         change[i] = is_spin(i) ? 0.3 * std::sin(9.0 * here) : 0.02 * here * std::sin(i % 4 + 5.0 * here);
-        m.state.rate[i] = any(random) * (is_spin(i) ? 10.0 : 0.3);
+        m.state.rate[i] = (is_spin(i) ? 10.0 : 2.0) * here * std::sin(phase + i % 4 + 7.0 * here);
       }
       displace(m.state, m.rod, change);
       Tip tip;

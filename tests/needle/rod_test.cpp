@@ -49,11 +49,14 @@ struct Press {
       hub.position = travel * hub.tangent;
       ASSERT_TRUE(machine.step(hub, tip, h)) << "at a travel of " << travel;
     }
-    // The bow it grew with has shown it the way; now it is Euler's rod: straight when unloaded, and hardly
-    // stretching.
+    ASSERT_TRUE(machine.rest(hub, tip, h)) << "at a travel of " << travel;
+  }
+  // The bow it grew with has shown it the way; from here on it is Euler's rod: straight when unloaded, and hardly
+  // stretching.
+  void idealise() {
     for (auto& turning : machine.rod.natural_turning) turning = {0.0, 0.0};
-    machine.rod.axial = 100.0 * axial_rigidity(NeedleSpec{});
-    ASSERT_TRUE(machine.rest(hub, tip, 0.1)) << "at a travel of " << travel;
+    machine.rod.axial *= 10.0;
+    ASSERT_TRUE(machine.rest(hub, tip, 0.01));
   }
   double tip_slope() const {
     return std::acos(edge(machine.state, machine.rod.edges - 1).normalized().dot(hub.tangent));
@@ -83,6 +86,8 @@ INSTANTIATE_TEST_SUITE_P(Rod, RodOnEachSupport, testing::ValuesIn(all_supports))
 
 TEST_P(RodOnEachSupport, pressed_together_is_the_elastica) {
   Press press(GetParam(), Vec3(2.0, -1.0, -2.0));
+  press.to(0.01);
+  press.idealise();
   const double critical = critical_load(bending_rigidity(steel(GetParam())), 0.2, GetParam());
   for (const double d : {0.01, 0.05, 0.1, 0.2, 0.3}) {
     press.to(d);
@@ -113,6 +118,7 @@ TEST_P(RodOnEachSupport, comes_to_the_elastica_with_the_square_of_its_elements) 
   for (const int edges : {10, 20, 40, 80}) {
     Press press(GetParam(), Vec3(0.0, 0.0, -1.0), edges);
     press.to(0.2);
+    press.idealise();
     const Elastica exact = elastica(GetParam(), press.shortening_ratio());
     const double load = press.load() / critical / exact.load_ratio - 1.0;
     const double distance = distance_from(exact, press);
@@ -137,7 +143,10 @@ constexpr std::array<Shot, 5> shots{{{0.01, 1.0038, 0.0620, 14.3, 0.045},
 
 TEST(Rod, clamped_and_pinned_takes_the_slope_and_the_side_force_of_the_elastica) {
   Press press(Support::clamped_pinned, Vec3(1.0, 1.0, -3.0));
-  const double critical = critical_load(bending_rigidity(steel(Support::clamped_pinned)), 0.2, Support::clamped_pinned);
+  press.to(0.01);
+  press.idealise();
+  const double critical =
+      critical_load(bending_rigidity(steel(Support::clamped_pinned)), 0.2, Support::clamped_pinned);
   for (const Shot& shot : shots) {
     press.to(shot.shortening_ratio);
     EXPECT_NEAR(press.load() / critical / shot.load_ratio, 1.0, 0.005);
@@ -155,9 +164,9 @@ TEST(Rod, buckles_alike_whichever_way_it_points) {
   for (int trial = 0; trial < 5; ++trial) {
     Press press(Support::clamped_pinned, Vec3(any(random), any(random), any(random)));
     press.to(0.1);
-    EXPECT_NEAR(press.load() / upright.load(), 1.0, 1e-6);
-    EXPECT_NEAR(press.bow() / upright.bow(), 1.0, 1e-6);
-    EXPECT_NEAR(press.tip_slope() / upright.tip_slope(), 1.0, 1e-6);
+    EXPECT_NEAR(press.load() / upright.load(), 1.0, 1e-5);
+    EXPECT_NEAR(press.bow() / upright.bow(), 1.0, 1e-5);
+    EXPECT_NEAR(press.tip_slope() / upright.tip_slope(), 1.0, 1e-5);
   }
 }
 

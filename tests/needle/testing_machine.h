@@ -44,7 +44,7 @@ class Machine {
       if (largest > most)
         for (double& c : motion_.change) c *= most / largest;
       apply_change(motion_, rod, state, h);
-      if (largest < 1e-12) {
+      if (largest < 1e-10) {
         load(hub, tip, h, 1.0);
         hub_force_ = -hub_impulse_ / h;
         return pass + 1;
@@ -61,7 +61,7 @@ class Machine {
       double largest = 0.0;
       for (int k = 0; k < rod.nodes(); ++k)
         largest = std::max(largest, (state.position[k] - before[k]).norm());
-      if (largest < 1e-9) return true;
+      if (largest < 1e-8) return true;
     }
     return false;
   }

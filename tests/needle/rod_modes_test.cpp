@@ -1,5 +1,5 @@
-// What a straight rod's stiffness matrix alone must know: the loads at which it buckles and the frequencies at
-// which it swings.
+// What a straight rod's stiffness matrix alone must know: the loads at which it buckles and the frequencies
+// at which it swings.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -94,7 +94,8 @@ Eigen::VectorXd frequencies(const Straight& s, const std::vector<int>& free) {
       .cwiseSqrt();
 }
 
-// (beta L)^2 of the first three modes (Blevins, Formulas for Natural Frequency and Mode Shape, 1979, Table 8-1).
+// (beta L)^2 of the first three modes (Blevins, Formulas for Natural Frequency and Mode Shape, 1979, Table
+// 8-1).
 std::array<double, 3> blevins(Support support) {
   const auto squares = [](double a, double b, double c) { return std::array{a * a, b * b, c * c}; };
   switch (support) {
@@ -114,7 +115,8 @@ TEST_P(RodModes, swing_sideways_as_a_beam_does) {
   const Straight s = straight(GetParam(), 40);
   for (int across = 0; across < 2; ++across) {
     std::vector<int> free;
-    for (int i = 1; i < s.rod.edges + (tip_held(GetParam()) ? 0 : 1); ++i) free.push_back(place_at(i) + across);
+    for (int i = 1; i < s.rod.edges + (tip_held(GetParam()) ? 0 : 1); ++i)
+      free.push_back(place_at(i) + across);
     const Eigen::VectorXd found = frequencies(s, free);
     const double unit =
         std::sqrt(s.rod.bending / (s.spec.density * section_area(s.spec))) / (s.spec.length * s.spec.length);
@@ -123,8 +125,8 @@ TEST_P(RodModes, swing_sideways_as_a_beam_does) {
   }
 }
 
-// A clamped shaft with a free end turns to and fro at (2 n - 1) pi / (2 L) sqrt(G / density) (Blevins 1979, Table
-// 8-19), and a bar shakes along at the same with E.
+// A clamped shaft with a free end turns to and fro at (2 n - 1) pi / (2 L) sqrt(G / density) (Blevins 1979,
+// Table 8-19), and a bar shakes along at the same with E.
 TEST(RodModes, turn_and_shake_as_a_shaft_does) {
   const Straight s = straight(Support::clamped_free, 40);
   std::vector<int> spins, along;

@@ -29,13 +29,13 @@ Pose askew() {
 }
 
 struct Deflected {
-  double load;              // P L^2 / EI, across the unloaded rod
-  double across, along;     // of the tip, / L; towards the load and towards the clamp
-  double slope;             // of the tip, rad
+  double load;           // P L^2 / EI, across the unloaded rod
+  double across, along;  // of the tip, / L; towards the load and towards the clamp
+  double slope;          // of the tip, rad
 };
 
-// The elastica through elliptic integrals, from the slope of its tip (Bisshopp and Drucker, Quarterly of Applied
-// Mathematics 3, 1945).
+// The elastica through elliptic integrals, from the slope of its tip (Bisshopp and Drucker, Quarterly of
+// Applied Mathematics 3, 1945).
 Deflected cantilever_by_slope(double slope) {
   const double k = std::sqrt(0.5 * (1.0 + std::sin(slope)));
   const auto whole = numeric::complete_elliptic(k);
@@ -79,8 +79,8 @@ TEST(RodShapes, a_load_across_the_tip_bends_it_as_published) {
   }
 }
 
-// A rod between two clamps, which are led to where they belong: what they do there is a couple alone, but free
-// ends would let the rod escape sideways.
+// A rod between two clamps, which are led to where they belong: what they do there is a couple alone, but
+// free ends would let the rod escape sideways.
 struct Clamped {
   Pose hub = askew();
   Tip tip;
@@ -121,9 +121,9 @@ TEST(RodShapes, bends_to_a_full_circle_under_an_end_moment) {
   EXPECT_NEAR(rod.machine.energy().bending / (pi * moment), 1.0, 0.005);
 }
 
-// An end couple bends and twists a straight rod to a helix about the couple's direction (Love, Mathematical Theory
-// of Elasticity, 4th ed. 1927, Art. 270-271, without the force): it meets the tangent everywhere at the same
-// angle; its part along the tangent twists, that across bends.
+// An end couple bends and twists a straight rod to a helix about the couple's direction (Love, Mathematical
+// Theory of Elasticity, 4th ed. 1927, Art. 270-271, without the force): it meets the tangent everywhere at
+// the same angle; its part along the tangent twists, that across bends.
 struct Helix {
   Pose hub;
   Vec3 axis;

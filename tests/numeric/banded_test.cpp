@@ -10,7 +10,8 @@ namespace {
 using acus::numeric::BandedMatrix;
 using acus::numeric::Lane4;
 
-// A random symmetric matrix of this band whose rows have at least `surplus` more on the diagonal than beside it.
+// A random symmetric matrix of this band whose rows have at least `surplus` more on the diagonal than beside
+// it.
 template <int band>
 Eigen::MatrixXd random_banded(int size, double surplus, std::mt19937_64& random) {
   std::uniform_real_distribution<double> any(-1.0, 1.0);

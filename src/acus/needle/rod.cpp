@@ -21,8 +21,8 @@ double bow_curvature(const NeedleSpec& spec, bool hub_clamped, double s) {
 struct Turn {
   double cos, sin;
 };
-// For what a section turns in a step, by the first terms of Taylor's series: what is left out of them is below
-// 1e-18.
+// For what a section turns in a step, by the first terms of Taylor's series: what is left out of them is
+// below 1e-18.
 Turn turn_by(double angle) {
   if (std::abs(angle) > 0.0625) return {numeric::cos(angle), numeric::sin(angle)};
   const double s = angle * angle;

@@ -21,7 +21,7 @@ Side held_side(const Pose& pose) { return {pose.tangent, pose.director, 0.0}; }
 // behind it.
 struct NodeTerms {
   double bending, twist;  // J
-  Vec3 ga, gb;                        // N, by the edge vectors
+  Vec3 ga, gb;            // N, by the edge vectors
   double spin_a, spin_b;  // N m, by the spins
 };
 
@@ -70,9 +70,9 @@ struct SpinHessian {
   double own;  // N m
 };
 struct NodeHessian {
-  Block aa, ba, bb;      // N/m; the row is of b in ba
+  Block aa, ba, bb;  // N/m; the row is of b in ba
   SpinHessian sa, sb;
-  double between;        // N m, of the spins
+  double between;  // N m, of the spins
 };
 
 // 2 atan(x), for a twist of up to an eighth by the first terms of Gregory's series: what is left out is below
@@ -81,14 +81,16 @@ double twice_arc(double x) {
   if (std::abs(x) > 0.0625) return 2.0 * numeric::atan(x);
   const double s = x * x;
   double sum = 1.0 / 13.0;
-  for (const double term : {1.0 / 11.0, 1.0 / 9.0, 1.0 / 7.0, 1.0 / 5.0, 1.0 / 3.0, 1.0}) sum = term - s * sum;
+  for (const double term : {1.0 / 11.0, 1.0 / 9.0, 1.0 / 7.0, 1.0 / 5.0, 1.0 / 3.0, 1.0})
+    sum = term - s * sum;
   return 2.0 * x * sum;
 }
 
 // Symbols: bend = EI / l_i, twist = GJ / l_i.
 template <bool with_hessian>
 NodeTerms node_terms(const Side& a, const Side& b, double bend, double twist,
-                     const std::array<double, 2>& natural, double factor, double compression, NodeHessian* h) {
+                     const std::array<double, 2>& natural, double factor, double compression,
+                     NodeHessian* h) {
   NodeTerms out;
   const double c = a.tangent.dot(b.tangent);
   const double inverse = 1.0 / (1.0 + c);
@@ -100,7 +102,8 @@ NodeTerms node_terms(const Side& a, const Side& b, double bend, double twist,
   const Vec3 ua = b.tangent - c * a.tangent;  // dc/da |a|
   const Vec3 ub = a.tangent - c * b.tangent;
 
-  // k0 . k = kb . (fa + fb) / 2: k0 in the directors of either edge, a quarter turn from there, and both together.
+  // k0 . k = kb . (fa + fb) / 2: k0 in the directors of either edge, a quarter turn from there, and both
+  // together.
   const Vec3 a2 = a.tangent.cross(a.director), b2 = b.tangent.cross(b.director);
   const Vec3 fa = natural[0] * a2 - natural[1] * a.director, fb = natural[0] * b2 - natural[1] * b.director;
   const Vec3 qa = natural[0] * a.director + natural[1] * a2, qb = natural[0] * b.director + natural[1] * b2;
@@ -136,13 +139,13 @@ NodeTerms node_terms(const Side& a, const Side& b, double bend, double twist,
     h->aa = (la * la) * own(a.tangent, ua, pa, fa);
     h->bb = (lb * lb) * own(b.tangent, ub, pb, fb);
     h->ba = (la * lb) * (diagonal(s - bent) + outer(vb, curve * va - s * ta) - outer(tb, s * tb + bent * ta) +
-                         outer((0.25 * t) * k - (0.5 * q) * m, k) + outer(m, n * Three(pa)) + outer(n * Three(pb), m) +
-                         cross(n * Three(f) - (q * inverse) * ta));
+                         outer((0.25 * t) * k - (0.5 * q) * m, k) + outer(m, n * Three(pa)) +
+                         outer(n * Three(pb), m) + cross(n * Three(f) - (q * inverse) * ta));
     const auto spin = [&](const Vec3& quarter, double across, const Vec3& fall, double sign) {
       const Vec3 from_a = n * (across * mean - inverse * b.tangent.cross(quarter));
       const Vec3 from_b = n * (across * mean + inverse * a.tangent.cross(quarter));
-      return SpinHessian{la * (Three(from_a) + (0.5 * sign * t) * k), lb * (Three(from_b) + (0.5 * sign * t) * k),
-                         t - 0.5 * n * kb.dot(fall)};
+      return SpinHessian{la * (Three(from_a) + (0.5 * sign * t) * k),
+                         lb * (Three(from_b) + (0.5 * sign * t) * k), t - 0.5 * n * kb.dot(fall)};
     };
     h->sa = spin(qa, across_a, fa, -1.0);
     h->sb = spin(qb, across_b, fb, 1.0);
@@ -220,11 +223,12 @@ ACUS_INLINE void add_node(RodMatrix& m, const Rod& rod, int i, const NodeHessian
 // Edge i with its tension and stiffness.
 struct Stretched {
   Side side;
-  Vec3 tension;    // N
-  double energy;   // J
+  Vec3 tension;   // N
+  double energy;  // J
 };
 template <bool with_matrix>
-Stretched stretched(const Rod& rod, const RodState& s, int i, double factor, double compression, Block* stiffness) {
+Stretched stretched(const Rod& rod, const RodState& s, int i, double factor, double compression,
+                    Block* stiffness) {
   const Vec3 e = edge(s, i);
   const double length = e.norm(), inverse = 1.0 / length;
   const Vec3 tangent = inverse * e;
@@ -263,8 +267,8 @@ RodEnergy forces(std::vector<double>& f, RodMatrix* matrix, double factor, doubl
       const double bend = i > 0 || rod.hub_clamped ? rod.bending * inverse : 0.0;
       const double twist = rod.torsion * inverse;
       NodeHessian hessian;
-      const NodeTerms n =
-          node_terms<with_matrix>(before, behind, bend, twist, rod.natural_turning[i], factor, compression, &hessian);
+      const NodeTerms n = node_terms<with_matrix>(before, behind, bend, twist, rod.natural_turning[i], factor,
+                                                  compression, &hessian);
       energy.bending += n.bending;
       energy.twist += n.twist;
       if (i > 0) {

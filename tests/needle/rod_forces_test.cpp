@@ -27,7 +27,7 @@ Crooked crooked(int seed, double natural) {
   for (auto& turning : c.rod.natural_turning) turning = {natural * any(random), natural * any(random)};
   c.hub.tangent = Vec3(0.3, -0.2, -1.0).normalized();
   c.hub.director = c.hub.tangent.unitOrthogonal();
-  c.state = straight_rod(c.rod, c.hub);
+  c.state = unloaded_rod(c.rod, c.hub);
   std::vector<double> change(c.rod.unknowns());
   for (int i = 0; i < c.rod.unknowns(); ++i) change[i] = any(random) * (is_spin(i) ? 0.3 : 3e-3);
   displace(c.state, c.rod, change);
@@ -102,7 +102,7 @@ TEST(RodForces, vanish_for_the_unloaded_needle_wherever_it_lies) {
   hub.director = hub.tangent.unitOrthogonal();
   const Rod rod = build_rod(spec, 12);
   std::vector<double> force(rod.unknowns());
-  const RodEnergy e = rod_forces_into(force, rod, straight_rod(rod, hub), hub, hub);
+  const RodEnergy e = rod_forces_into(force, rod, unloaded_rod(rod, hub), hub, hub);
   EXPECT_LT(total(e), 1e-18);
   for (const double f : force) EXPECT_LT(std::abs(f), 1e-7);
 }

@@ -22,7 +22,7 @@ class Machine {
  public:
   Machine(const NeedleSpec& spec, int edges, const Pose& hub)
       : rod(build_rod(spec, edges)),
-        state(straight_rod(rod, hub)),
+        state(unloaded_rod(rod, hub)),
         hub_(hub),
         motion_(build_rod_motion(rod)) {}
 

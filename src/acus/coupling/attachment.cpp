@@ -66,6 +66,13 @@ void attach_to_nearest_node_into(Attachment& out, const mesh::Locator& locator, 
   add_weight(out, locator.nearest_node(point), 1.0, free_nodes);
 }
 
+Vec3 displacement(const Attachment& at, std::span<const Vec3> positions, std::span<const Vec3> rest) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < at.node.size(); ++i)
+    sum += at.weight[i] * (positions[at.node[i]] - rest[at.node[i]]);
+  return sum;
+}
+
 double displacement_along(const Attachment& at, std::span<const Vec3> positions, std::span<const Vec3> rest,
                           const Vec3& axis) {
   double sum = 0.0;

@@ -42,6 +42,22 @@ void embed_disc_into(Attachment& out, const mesh::Locator& locator, const Vec3& 
 void attach_to_nearest_node_into(Attachment& out, const mesh::Locator& locator, const Vec3& point,
                                  int free_nodes);
 
+// The weighted mean of a nodal field; zero for an empty attachment.
+template <class Real>
+Vec3 mean(const Attachment& at, const numeric::NodeVectorOf<Real>& field) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < at.node.size(); ++i)
+    sum += at.weight[i] * numeric::at(field, at.node[i]).template cast<double>();
+  return sum;
+}
+Vec3 displacement(const Attachment& at, std::span<const Vec3> positions, std::span<const Vec3> rest);
+// Adds `amount`, spread by the weights, to a nodal field.
+template <class Real>
+void add_spread(numeric::NodeVectorOf<Real>& field, const Attachment& at, const Vec3& amount) {
+  for (std::size_t i = 0; i < at.node.size(); ++i)
+    numeric::at(field, at.node[i]) += (at.weight[i] * amount).template cast<Real>();
+}
+
 // Component along `axis` of the weighted mean of a nodal field.
 template <class Real>
 double along(const Attachment& at, const numeric::NodeVectorOf<Real>& field, const Vec3& axis) {

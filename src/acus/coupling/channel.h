@@ -19,13 +19,14 @@ inline constexpr double channel_cell =
 // 2 pi G / ln(e), N/m^2 (antiplane shear; Love 1927). What lies farther out is the mesh's to resolve.
 double sleeve_stiffness(double shear_modulus);
 
-// What stays: one attachment per cell, of its middle.
+// One attachment per cell, of its middle.
 struct Channel {
   double friction = 0.0;   // N/m, limit of the force per length
   double stiffness = 0.0;  // N/m^2, pre-sliding, per length
-  std::vector<Attachment> attachment;
+  std::vector<Attachment> attachment;  // at least `count`
+  int count = 0;
 
-  int cells() const { return static_cast<int>(attachment.size()); }
+  int cells() const { return count; }
 };
 
 // What moves, one entry per cell.

@@ -55,11 +55,22 @@ Rod build_rod(const NeedleSpec& spec, int edges, double poisson_ratio) {
   return rod;
 }
 
-RodState straight_rod(const Rod& rod, const Pose& hub) {
+RodState unloaded_rod(const Rod& rod, const Pose& hub) {
   RodState s;
   s.position.push_back(hub.position);
-  for (const double l : rod.edge_length) s.position.push_back(s.position.back() + l * hub.tangent);
-  s.director.assign(rod.edges, hub.director);
+  Vec3 tangent = hub.tangent, director = hub.director;
+  for (int j = 0; j < rod.edges; ++j) {
+    if (j > 0 || rod.hub_clamped) {  // k1 = kb . d2, k2 = -kb . d1, |kb| = 2 tan(turning / 2)
+      const auto [k1, k2] = rod.natural_turning[j];
+      const Vec3 kb = k1 * tangent.cross(director) - k2 * director;
+      const double square = 0.25 * kb.squaredNorm();
+      const Vec3 next = ((1.0 - square) * tangent + kb.cross(tangent)) / (1.0 + square);
+      director = transported(director, tangent, next);
+      tangent = next;
+    }
+    s.position.push_back(s.position.back() + rod.edge_length[j] * tangent);
+    s.director.push_back(director);
+  }
   s.rate.assign(rod.unknowns(), 0.0);
   return s;
 }

@@ -64,8 +64,8 @@ struct RodState {
   std::vector<double> rate;    // [unknowns] m/s and rad/s
 };
 
-// At rest and straight, from the hub on; `imperfection` then bends it within the first steps.
-RodState straight_rod(const Rod& rod, const Pose& hub);
+// At rest and unloaded, with its natural turning, in the hub.
+RodState unloaded_rod(const Rod& rod, const Pose& hub);
 
 inline Vec3 edge(const RodState& s, int j) { return s.position[j + 1] - s.position[j]; }
 

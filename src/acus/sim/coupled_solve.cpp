@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "acus/numeric/root.h"
+#include "acus/sim/tissue_step.h"
 
 namespace acus {
 namespace {
@@ -41,14 +42,6 @@ struct Product {
     add_sticks(y, m, w, x);
   }
 };
-
-auto preconditioner(const Model& m, Scratch& w) {
-  using Single = numeric::NodeVectorOf<float>;
-  return [&](Single& z, const Single& r) {
-    numeric::multiply_diagonal_into(z, w.matrix.inverse_diagonal, r);
-    numeric::add_coarse_correction_into(z, m.coarse, r, w.coarse);
-  };
-}
 
 // Single precision will do for y, which carries small corrections only; what it leaves a pass checks.
 numeric::CgOutcome solve_influence(numeric::NodeVectorOf<float>& y, const Model& m, Scratch& w,
@@ -163,22 +156,6 @@ double line_search(const Model& m, const State& s, Scratch& w, double hand_trave
 }
 
 }  // namespace
-
-Scratch build_scratch(const Model& m) {
-  Scratch w;
-  if (m.rigid()) return w;
-  w.corotation = tissue::build_corotation(m.tissue);
-  w.matrix = tissue::build_system_matrix(m.tissue);
-  w.solver = numeric::RefinedScratch(m.tissue.free_nodes);
-  w.coarse = numeric::build_scratch(m.coarse);
-  const std::size_t size = static_cast<std::size_t>(m.tissue.free_nodes) * numeric::node_stride;
-  for (NodeVector* v : {&w.product, &w.momentum, &w.right_hand_side, &w.velocity_before, &w.velocity_tried})
-    v->assign(size, 0.0);
-  w.stick_load.assign(size, 0.0F);
-  w.answer.assign(size, 0.0F);
-  w.held.reserve(static_cast<std::size_t>(m.channel.cells()) + 1);
-  return w;
-}
 
 double column_load(const Model& m, double free_length, double taken_up) {
   return needle::column_response(m.column, free_length, taken_up, m.grip_compliance).load;

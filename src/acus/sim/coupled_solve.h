@@ -11,37 +11,10 @@
 // steel. Branches are corrected and the two solves repeated until they hold (a semismooth Newton method).
 #pragma once
 
-#include "acus/coupling/slider.h"
-#include "acus/numeric/refined_solve.h"
+#include "acus/sim/scratch.h"
 #include "acus/sim/state.h"
 
 namespace acus {
-
-// One attachment that takes part in a step.
-struct HeldPoint {
-  coupling::Slider slider;
-  const coupling::Attachment* at = nullptr;
-  int cell = -1;  // of the channel; -1 for the tip
-  coupling::Grip grip = coupling::Grip::stick;
-  double rate_before = 0.0;  // m/s, of the tissue at the start of a line search
-  double rate_change = 0.0;  // m/s, over its whole step
-};
-
-struct Scratch {
-  tissue::Corotation corotation;  // at the present positions
-  tissue::SystemMatrix matrix;    // at the positions of `corotation`
-  numeric::RefinedScratch solver;
-  numeric::CoarseScratch coarse;
-  numeric::NodeVector product;   // of the matrix
-  numeric::NodeVector momentum;  // M v0 + h f_el + impulses that do not depend on the step
-  numeric::NodeVector right_hand_side;
-  numeric::NodeVectorOf<float> stick_load;  // answer wanted for a unit rate of the needle
-  numeric::NodeVector velocity_before;      // at the start of the step
-  numeric::NodeVector velocity_tried;       // at the start of a line search
-  numeric::NodeVectorOf<float> answer;      // as state.influence, for resistance()
-  std::vector<HeldPoint> held;              // the tip first
-};
-Scratch build_scratch(const Model& model);
 
 struct CoupledOutcome {
   int iterations = 0;

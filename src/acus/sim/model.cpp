@@ -79,14 +79,11 @@ void build_channel(Model& m) {
   m.channel.stiffness = coupling::sleeve_stiffness(m.tissue.shear.front());
   const int cells = static_cast<int>(m.path.length / coupling::channel_cell) + 1;
   m.channel.attachment.resize(cells);
+  m.channel.count = cells;
   for (int cell = 0; cell < cells; ++cell) {
     const double depth = std::min((cell + 0.5) * coupling::channel_cell, m.path.length);
     const Vec3 point = m.path.entry + depth * m.path.direction;
-    coupling::Attachment& at = m.channel.attachment[cell];
-    if (c.coupling == Coupling::nearest_node)
-      coupling::attach_to_nearest_node_into(at, *m.locator, point, m.tissue.free_nodes);
-    else
-      coupling::embed_point_into(at, *m.locator, point, c.contact_radius, m.tissue.free_nodes);
+    attach_shaft_into(m.channel.attachment[cell], m, point);
   }
 }
 
@@ -104,14 +101,24 @@ numeric::CoarseSpace coarse_space_at_rest(const Model& m) {
 
 }  // namespace
 
-void attach_tip_into(coupling::Attachment& out, const Model& m, double depth) {
+void attach_disc_into(coupling::Attachment& out, const Model& m, const Vec3& point, const Vec3& axis) {
   const ContactScene& c = m.scene.contact;
-  const Vec3 point = m.path.entry + depth * m.path.direction;
   if (c.coupling == Coupling::nearest_node)
     coupling::attach_to_nearest_node_into(out, *m.locator, point, m.tissue.free_nodes);
   else
-    coupling::embed_disc_into(out, *m.locator, point, m.path.direction, c.contact_radius, m.tissue.free_nodes,
-                              m.disc_rings);
+    coupling::embed_disc_into(out, *m.locator, point, axis, c.contact_radius, m.tissue.free_nodes, m.disc_rings);
+}
+
+void attach_shaft_into(coupling::Attachment& out, const Model& m, const Vec3& point) {
+  const ContactScene& c = m.scene.contact;
+  if (c.coupling == Coupling::nearest_node)
+    coupling::attach_to_nearest_node_into(out, *m.locator, point, m.tissue.free_nodes);
+  else
+    coupling::embed_point_into(out, *m.locator, point, c.contact_radius, m.tissue.free_nodes);
+}
+
+void attach_tip_into(coupling::Attachment& out, const Model& m, double depth) {
+  attach_disc_into(out, m, m.path.entry + depth * m.path.direction, m.path.direction);
 }
 
 Result<Model> build_model(const Scene& scene, const mesh::TetMesh* mesh) {
@@ -120,6 +127,8 @@ Result<Model> build_model(const Scene& scene, const mesh::TetMesh* mesh) {
   Model m;
   m.scene = *valid;
   m.column = needle::build_column(scene.needle);
+  constexpr int rod_edges = 60;  // 0.1 % of a critical load (needle/rod.h)
+  m.rod = needle::build_rod(scene.needle, rod_edges);
   m.grip_compliance = grip_compliance(scene.hand);
   m.cutting_force =
       force::cutting_force(scene.contact.fracture_toughness, scene.contact.crack, scene.needle.radius);
@@ -134,8 +143,7 @@ Result<Model> build_model(const Scene& scene, const mesh::TetMesh* mesh) {
   const double held_fraction = mesh ? scene.tissue.fixed_fraction : 0.0;
   const int free_nodes = free_nodes_first(m.mesh, far_nodes(m.mesh, m.path.direction, held_fraction));
   const TissueScene& t = scene.tissue;
-  const std::vector<tissue::Material> materials(m.mesh.tets.size(),
-                                                {t.youngs_modulus, t.poisson_ratio, t.density});
+  const std::vector<tissue::Material> materials(m.mesh.tets.size(), m.material());
   auto tissue = tissue::build_tissue_model(m.mesh, materials, t.element, free_nodes);
   if (!tissue) return tissue.error();
   m.tissue = std::move(*tissue);

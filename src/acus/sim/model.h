@@ -7,6 +7,7 @@
 #include "acus/mesh/locator.h"
 #include "acus/mesh/path.h"
 #include "acus/needle/column.h"
+#include "acus/needle/rod.h"
 #include "acus/numeric/coarse_space.h"
 #include "acus/sim/scene.h"
 #include "acus/tissue/motion.h"
@@ -17,6 +18,7 @@ namespace acus {
 struct Model {
   Scene scene;
   needle::Column column;
+  needle::Rod rod;
   double cutting_force = 0.0;    // N
   double grip_compliance = 0.0;  // m/N
   mesh::InsertionPath path;      // entry, direction, length of tissue along it
@@ -33,10 +35,20 @@ struct Model {
   coupling::Channel channel;
 
   bool rigid() const { return scene.tissue.rigid; }
+  tissue::Material material() const {
+    return {scene.tissue.youngs_modulus, scene.tissue.poisson_ratio, scene.tissue.density};
+  }
+  bool bends_freely() const { return scene.needle_model == NeedleModel::rod; }
+  // Of a channel that may curve, but is filled by this needle.
+  int most_cells() const { return static_cast<int>(scene.needle.length / coupling::channel_cell) + 2; }
 };
 
 Result<Model> build_model(const Scene& scene, const mesh::TetMesh* mesh);
 
+// Holds a needle's tip at a point of the tissue at rest, its load spread across `axis`.
+void attach_disc_into(coupling::Attachment& out, const Model& model, const Vec3& point, const Vec3& axis);
+// Holds a point of its shaft.
+void attach_shaft_into(coupling::Attachment& out, const Model& model, const Vec3& point);
 // Holds the needle point at rest depth `depth` [m] along the path, as the scene's coupling does.
 void attach_tip_into(coupling::Attachment& out, const Model& model, double depth);
 

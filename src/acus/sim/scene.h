@@ -12,7 +12,8 @@
 
 namespace acus {
 
-enum class NeedleModel { column };  // the paper's closed forms
+// The paper's closed forms outside the tissue, straight inside; or a rod everywhere (needle/rod.h).
+enum class NeedleModel { column, rod };
 using Element = tissue::ElementKind;
 enum class Coupling { embedded, nearest_node };
 using Crack = force::Crack;

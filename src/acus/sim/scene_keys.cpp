@@ -22,8 +22,8 @@ constexpr int milli = -3, kilo = 3, giga = 9, one = 0;
 
 std::vector<SceneKey> needle_keys() {
   return {
-      {"needle.model", ACUS_CHOICE(needle_model, "column"),
-       "how the needle bends: column is the paper's closed forms"},
+      {"needle.model", ACUS_CHOICE(needle_model, "column", "rod"),
+       "how the needle bends: column is the paper's closed forms and straight inside, rod bends everywhere"},
       {"needle.length_mm", NumberField{ACUS_AT(needle.length), milli, {1.0, 2000.0}}, "hub to tip, unloaded"},
       {"needle.radius_mm", NumberField{ACUS_AT(needle.radius), milli, {0.01, 10.0}}, "solid round section"},
       {"needle.youngs_modulus_GPa", NumberField{ACUS_AT(needle.youngs_modulus), giga, {0.001, 1000.0}},

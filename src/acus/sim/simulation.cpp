@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "acus/base/hash.h"
+#include "acus/sim/rod_step.h"
 #include "acus/sim/step.h"
 #include "acus/tissue/stress.h"
 
@@ -45,10 +46,12 @@ Result<Simulation> Simulation::build(const Scene& scene, const mesh::TetMesh* me
 const Frame& Simulation::step(double hand_travel) {
   Parts& p = *parts_;
   if (p.frame.health != Health::good) return p.frame;
-  if (std::isfinite(hand_travel))
-    advance(p.model, p.state, p.scratch, hand_travel, p.frame, p.events, p.probe);
-  else
+  if (!std::isfinite(hand_travel))
     p.frame.health = Health::not_finite;
+  else if (p.model.bends_freely())
+    advance_rod(p.model, p.state, p.scratch, hub_pose(p.model, hand_travel), hand_travel, p.frame, p.events, p.probe);
+  else
+    advance(p.model, p.state, p.scratch, hand_travel, p.frame, p.events, p.probe);
   return p.frame;
 }
 
@@ -101,20 +104,24 @@ std::vector<Vec3> Simulation::needle_line(int points) const {
 
 void Simulation::needle_line_into(std::span<Vec3> out) const {
   const Parts& p = *parts_;
+  if (p.model.bends_freely()) {
+    const double last = static_cast<double>(out.size() - 1);
+    for (std::size_t i = 0; i < out.size(); ++i)
+      out[i] = needle::place_of(p.state.needle.rod,
+                                needle::point_at_arc(p.model.rod, static_cast<double>(i) / last * p.model.scene.needle.length));
+    return;
+  }
   const NeedlePlace place = place_needle(p.model, p.state);
   const double length = p.model.scene.needle.length;
   const int points = static_cast<int>(out.size());
   const Vec3 along = direction();
-  // The bow lies in one plane through the axis; for a needle along z it is the x-z plane.
-  const Vec3 sideways =
-      along.cross(Vec3::UnitY()).norm() > 0.5 ? along.cross(Vec3::UnitY()).normalized() : Vec3::UnitX();
+  const needle::Pose hub = hub_pose(p.model, p.state.hub_travel);
   const int outside =
       std::clamp(static_cast<int>(std::lround(points * place.free_length / length)), 2, points);
   const auto curve = needle::column_curve(p.model.column, place.free_length, place.shortening);
-  const Vec3 hub = entry() + (p.state.hub_travel - length) * along;
   for (int i = 0; i < outside; ++i) {
     const auto point = needle::point_at(curve, static_cast<double>(i) / (outside - 1));
-    out[i] = hub + point.axial * along + point.lateral * sideways;
+    out[i] = hub.position + point.axial * along + point.lateral * hub.director;
   }
   const Vec3 from = out[outside - 1];
   const Vec3 tip = entry() + p.state.tip_position * along;

@@ -6,6 +6,15 @@
 
 namespace acus {
 
+needle::Pose hub_pose(const Model& m, double travel) {
+  const Vec3& along = m.path.direction;
+  // The bow lies in one plane through the axis; for a needle along z it is the x-z plane.
+  const Vec3 y = along.cross(Vec3::UnitY());
+  const Vec3 sideways = y.norm() > 0.5 ? Vec3(y.normalized()) : Vec3(Vec3::UnitX());
+  const Vec3 director = (sideways - sideways.dot(along) * along).normalized();
+  return {m.path.entry + (travel - m.scene.needle.length) * along, along, director};
+}
+
 NeedlePlace place_needle(const Model& m, const State& s) {
   NeedlePlace place;
   place.free_length = m.scene.needle.length;
@@ -29,6 +38,8 @@ State initial_state(const Model& m) {
   // The hand may start before first touch; the tip is as far away then.
   s.hub_travel = s.tip_position = s.tip_elongation = start_travel(m.scene.hand);
   s.energy_force = force::EnergyForce(s.hub_travel);
+  if (m.bends_freely()) s.needle.rod = needle::unloaded_rod(m.rod, hub_pose(m, s.hub_travel));
+  s.needle.channel_end = m.path.entry;
   if (m.rigid()) return s;
   s.position = m.mesh.nodes;
   s.velocity.assign(static_cast<std::size_t>(m.tissue.free_nodes) * numeric::node_stride, 0.0);
@@ -36,8 +47,17 @@ State initial_state(const Model& m) {
   s.influence.assign(s.velocity.size(), 0.0F);
   s.tip = m.entry;
   s.tip.reserve(4 * coupling::points_of(m.disc_rings));
-  s.channel.length.assign(m.channel.cells(), 0.0);
-  s.channel.elongation.assign(m.channel.cells(), 0.0);
+  const int cells = m.bends_freely() ? m.most_cells() : m.channel.cells();
+  s.channel.length.assign(cells, 0.0);
+  s.channel.elongation.assign(cells, 0.0);
+  if (!m.bends_freely()) return s;
+  RodNeedle& n = s.needle;
+  n.channel = m.channel;
+  n.channel.count = 0;
+  n.channel.attachment.resize(cells);
+  for (coupling::Attachment& at : n.channel.attachment) at.reserve(4);
+  n.cell_point.resize(cells);
+  n.cell_lateral.resize(cells);
   return s;
 }
 

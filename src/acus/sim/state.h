@@ -9,6 +9,16 @@
 
 namespace acus {
 
+// A needle that is a rod, and the channel that its tip has cut: straight or not, as the tip went.
+struct RodNeedle {
+  needle::RodState rod;
+  coupling::Channel channel;          // as far as it is cut
+  std::vector<Vec3> cell_point;       // m, at rest, [cells]
+  std::vector<double> cell_lateral;   // N/m^2, of the near field, [cells]
+  Vec3 channel_end{0.0, 0.0, 0.0};    // m, at rest
+  Vec3 tip_offset{0.0, 0.0, 0.0};     // m, of the tip from there, across its axis, where it touched
+};
+
 struct State {
   long steps = 0;                // taken so far; time is this many time steps, without a sum's rounding
   std::vector<Vec3> position;    // m, [nodes]; advance
@@ -27,11 +37,15 @@ struct State {
   double tip_elongation = 0.0;  // m, of the contact spring; negative: the gap to the channel's end
   coupling::Attachment tip;     // at the channel's end
   coupling::ChannelState channel;
+  RodNeedle needle;             // where the needle is a rod
 
   bool buckled = false;
   force::Ledger ledger;
   force::EnergyForce energy_force;
 };
+
+// The hub of a hand that goes straight along the path: `travel` [m] from first touch.
+needle::Pose hub_pose(const Model& model, double travel);
 
 // The needle's own geometry, from the state.
 struct NeedlePlace {

@@ -5,6 +5,7 @@
 
 #include "acus/needle/buckling.h"
 #include "acus/sim/stage.h"
+#include "acus/sim/tissue_step.h"
 
 namespace acus {
 namespace {
@@ -13,11 +14,8 @@ namespace {
 struct Before {
   NeedlePlace place;
   needle::ColumnResponse column;
-  double hub_travel = 0.0;     // m
-  double tissue_energy = 0.0;  // J
-  double elastic_work = 0.0;   // J, of the forces at the beginning over the step's displacement
-  double matrix_product =
-      0.0;  // kg m^2/s^2, v . A v with the matrix at the beginning and the step's velocity
+  double hub_travel = 0.0;  // m
+  TissueBefore tissue;
 
   // Q, against the needle and into the tissue at the entry: sliding in bends the free part further. N
   double configurational_force(const Model& m) const {
@@ -30,7 +28,7 @@ Before remember(const Model& m, const State& s, const Scratch& w) {
   before.place = place_needle(m, s);
   before.column = needle::column_response(m.column, before.place.free_length, before.place.shortening);
   before.hub_travel = s.hub_travel;
-  before.tissue_energy = w.corotation.energy;
+  before.tissue.energy = w.corotation.energy;
   return before;
 }
 
@@ -50,13 +48,6 @@ void touch(const Model& m, State& s, Scratch& w, const NeedlePlace& place) {
   for (int cell = 0; cell < m.channel.cells(); ++cell)
     if (s.channel.length[cell] > 0.0)
       w.held.push_back({coupling::slider_of(m.channel, s.channel, cell), &m.channel.attachment[cell], cell});
-}
-
-void assemble(const Model& m, const State& s, Scratch& w, double configurational_force) {
-  const double h = m.scene.run.time_step;
-  tissue::momentum_into(w.momentum, m.tissue, s.velocity, w.corotation.elastic_force, h);
-  coupling::add_along(w.momentum, m.entry, h * configurational_force, m.path.direction);
-  tissue::assemble_into(w.matrix, m.tissue, w.corotation, m.factors.mass, m.factors.stiffness);
 }
 
 // Carries out the sliders' steps and books what they spent. Returns the tip's.
@@ -115,22 +106,12 @@ bool cut(const Model& m, State& s, double slip) {
   return s.through;
 }
 
-// Tissue's lines of the ledger, exact identities of linearly implicit Euler (motion.h): with K' frozen the
-// elastic energy is quadratic, so its change is -f_el . dx + dx . K' dx / 2, and what the new rotations
-// change is booked too.
-void account_tissue(const Model& m, State& s, Scratch& w, const Before& before) {
-  const double h = m.scene.run.time_step;
-  const double vmv = tissue::mass_product(m.tissue, s.velocity);
-  const double vkv = (before.matrix_product - m.factors.mass * vmv) / m.factors.stiffness;
-  const double frozen_energy = before.tissue_energy - before.elastic_work + 0.5 * h * h * vkv;
-  s.ledger.work_damping += h * (m.damping.mass * vmv + m.damping.stiffness * vkv);
-  s.ledger.work_numerical += 0.5 * tissue::mass_product(m.tissue, s.velocity_change) + 0.5 * h * h * vkv +
-                             (frozen_energy - w.corotation.energy);
-  s.ledger.energy_tissue = w.corotation.energy;
+// Lines of contact and entry.
+void account_contact(const Model& m, State& s, const Before& before) {
   s.ledger.energy_contact = contact_energy(m, s);
-  s.ledger.energy_kinetic = 0.5 * vmv;
   // The entry's force on a free part that shortens while it holds the shortening: energy of the bow.
-  const double gone_in = h * (s.tip_rate - coupling::along(m.entry, s.velocity, m.path.direction));
+  const double gone_in =
+      m.scene.run.time_step * (s.tip_rate - coupling::along(m.entry, s.velocity, m.path.direction));
   s.ledger.work_snap += before.configurational_force(m) * gone_in;
 }
 
@@ -158,26 +139,17 @@ bool move_together(const Model& m, State& s, Scratch& w, double hand_travel, Bef
   touch(m, s, w, before.place);
   probe(StepPart::touch);
   const double configurational = before.configurational_force(m);
-  assemble(m, s, w, configurational);
+  assemble_tissue(m, s, w);
+  coupling::add_along(w.momentum, m.entry, h * configurational, m.path.direction);
   probe(StepPart::assembly);
-  w.velocity_before = s.velocity;
-  numeric::add_scaled_into(s.velocity, 1.0, s.velocity_change);  // a start near the answer
+  begin_tissue(s, w);
   const CoupledOutcome solved =
       solve_coupled(m, s, w, hand_travel, before.place.free_length, configurational);
   if (solved.broke_down) return false;
   frame.solver_iterations = solved.iterations;
-  s.velocity_change = s.velocity;
-  numeric::add_scaled_into(s.velocity_change, -1.0, w.velocity_before);
   probe(StepPart::solve);
-  before.elastic_work =
-      h * numeric::dot(std::span(w.corotation.elastic_force).first(s.velocity.size()), s.velocity);
-  tissue::multiply_into(w.product, m.tissue, w.corotation, w.matrix, s.velocity);
-  before.matrix_product = numeric::dot(s.velocity, w.product);
-  probe(StepPart::ledger);
-  tissue::move(s.position, s.velocity, h);
   s.tip_position += h * s.tip_rate;
-  tissue::corotate_into(w.corotation, m.tissue, s.position);
-  probe(StepPart::rotation);
+  move_tissue(m, s, w, before.tissue, probe);
   return true;
 }
 
@@ -211,7 +183,8 @@ void advance(const Model& m, State& s, Scratch& w, double hand_travel, Frame& fr
     s.punctured = s.punctured || observed.ruptured_now;
     observed.through_now = cut(m, s, tip.slip);
     probe(StepPart::cutting);
-    account_tissue(m, s, w, before);
+    account_tissue(m, s, w, before.tissue);
+    account_contact(m, s, before);
   }
   ++s.steps;
   frame.time = static_cast<double>(s.steps) * m.scene.run.time_step;

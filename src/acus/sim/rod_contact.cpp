@@ -1,0 +1,261 @@
+#include "acus/sim/rod_contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "acus/coupling/near_field.h"
+#include "acus/tissue/deformation.h"
+
+namespace acus {
+namespace {
+
+using coupling::Grip;
+using needle::RodPoint;
+
+Vec3 tangent_at(const State& s, int edge) { return needle::edge(s.needle.rod, edge).normalized(); }
+Vec3 across(const Vec3& v, const Vec3& axis) { return v - v.dot(axis) * axis; }
+
+// Nearest point of the rod, sought downhill from an edge.
+RodPoint nearest_point(const Model& m, const State& s, const Vec3& y, int start) {
+  const needle::RodState& rod = s.needle.rod;
+  int way = 0;
+  for (int j = start;;) {
+    const Vec3 e = needle::edge(rod, j);
+    const double along = e.dot(y - rod.position[j]) / e.squaredNorm();
+    const int next = along < 0.0 ? -1 : along > 1.0 ? 1 : 0;
+    const bool ends = next == 0 || next * way < 0 || j + next < 0 || j + next >= m.rod.edges;
+    if (ends) return {j, std::clamp(along, 0.0, 1.0)};
+    way = next;
+    j += next;
+  }
+}
+
+double arc_from_hub(const Model& m, const RodPoint& p) {
+  return (p.edge + p.along) * m.rod.edge_length.front();
+}
+
+Vec3 entry_now(const Model& m, const State& s) {
+  if (m.rigid()) return m.path.entry;
+  return m.path.entry + coupling::displacement(m.entry, s.position, m.mesh.nodes);
+}
+
+Vec3 channel_end_now(const Model& m, const State& s) {
+  if (m.rigid()) return m.path.entry;
+  return s.needle.channel_end + coupling::displacement(s.tip, s.position, m.mesh.nodes);
+}
+
+Vec3 cell_now(const Model& m, const State& s, int cell) {
+  return s.needle.cell_point[cell] +
+         coupling::displacement(s.needle.channel.attachment[cell], s.position, m.mesh.nodes);
+}
+
+// The tip against the channel's end: rupture before the puncture, cutting after it, nothing beyond the far side.
+coupling::Slider tip_slider(const Model& m, const State& s) {
+  const double stiffness = s.through ? 0.0 : m.scene.contact.stiffness;
+  const double limit = m.rigid()     ? 1e30
+                       : s.through   ? 0.0
+                       : s.punctured ? m.cutting_force
+                                     : m.scene.contact.rupture_force;
+  return {stiffness, s.tip_elongation, 0.0, limit, true};
+}
+
+// Whether the tip is held across its axis: in its cut always, on the surface by what it dents.
+bool tip_held_across(const Model& m, const State& s) {
+  if (s.through) return false;
+  return s.punctured || (s.tip_elongation > 0.0 && m.scene.needle.support != needle::Support::clamped_free);
+}
+
+void place_tip(const Model& m, State& s) {
+  const Vec3 gap = s.needle.rod.position.back() - channel_end_now(m, s);
+  const Vec3 axis = tangent_at(s, m.rod.edges - 1);
+  if (s.tip_elongation > 0.0) return;  // the spring remembers; the cut follows
+  s.tip_elongation = std::min(gap.dot(axis), 0.0);
+  if (!s.punctured) s.needle.tip_offset = across(gap, axis);
+}
+
+RodContact tip_contact(const Model& m, const State& s) {
+  RodContact c;
+  c.at = &s.tip;
+  c.point = {m.rod.edges - 1, 1.0};
+  c.axis = tangent_at(s, m.rod.edges - 1);
+  c.slider = tip_slider(m, s);
+  const Vec3 gap = s.needle.rod.position.back() - channel_end_now(m, s) - s.needle.tip_offset;
+  if (tip_held_across(m, s)) {
+    c.lateral = m.scene.contact.stiffness;
+    c.lateral_elongation = across(gap, c.axis);
+  }
+  return c;
+}
+
+RodContact cell_contact(const Model& m, const State& s, int cell, int start_edge) {
+  const Vec3 y = cell_now(m, s, cell);
+  RodContact c;
+  c.at = &s.needle.channel.attachment[cell];
+  c.point = nearest_point(m, s, y, start_edge);
+  c.axis = tangent_at(s, c.point.edge);
+  c.slider = coupling::slider_of(s.needle.channel, s.channel, cell);
+  c.lateral = s.needle.cell_lateral[cell] * s.channel.length[cell];
+  c.lateral_elongation = across(needle::place_of(s.needle.rod, c.point) - y, c.axis);
+  c.cell = cell;
+  return c;
+}
+
+void take_branch(RodContact& c) {
+  const coupling::LinearForce f = coupling::force_on(c.slider, c.grip);
+  const Mat3 along = c.axis * c.axis.transpose();
+  c.stiffness = f.rate * along + c.lateral * (Mat3::Identity() - along);
+  c.force = -f.constant * c.axis - c.lateral * c.lateral_elongation;
+}
+
+double stored(const RodContact& c, double along, const Vec3& sideways) {
+  return coupling::stored_energy(c.slider, along) + 0.5 * c.lateral * sideways.squaredNorm();
+}
+
+// m, the mean of a tetrahedron's six edges at rest.
+double mean_edge(const mesh::TetMesh& mesh, int tet) {
+  double sum = 0.0;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < i; ++j) sum += (mesh.nodes[mesh.tets[tet][i]] - mesh.nodes[mesh.tets[tet][j]]).norm();
+  return sum / 6.0;
+}
+
+// The next cell of the channel, half a cell ahead of where it begins.
+void add_cell(const Model& m, State& s, const Vec3& direction) {
+  RodNeedle& n = s.needle;
+  const int cell = n.channel.cells();
+  if (cell >= m.most_cells()) return;
+  const double ahead = (cell + 0.5) * coupling::channel_cell - s.channel_depth;
+  const Vec3 point = n.channel_end + ahead * direction;
+  attach_shaft_into(n.channel.attachment[cell], m, point);
+  n.cell_point[cell] = point;
+  const auto held = m.locator->locate(point, m.scene.contact.contact_radius);
+  const int tet = held ? held->tet : 0;
+  n.cell_lateral[cell] = coupling::near_field(tissue::shear_modulus(m.material()), m.scene.tissue.poisson_ratio,
+                                              mean_edge(m.mesh, tet), m.scene.needle.radius)
+                             .lateral;
+  ++n.channel.count;
+}
+
+}  // namespace
+
+RodPlace place_rod(const Model& m, const State& s) {
+  const needle::RodState& rod = s.needle.rod;
+  RodPlace place;
+  place.free_length = m.scene.needle.length;
+  Vec3 from = rod.position.front(), to = rod.position.back();
+  int last = m.rod.edges;
+  if (s.punctured) {
+    const RodPoint entry = nearest_point(m, s, entry_now(m, s), m.rod.edges - 1);
+    const double beyond = m.scene.needle.length - arc_from_hub(m, entry);
+    place.inserted_length = s.through ? m.path.length : std::max(beyond - std::max(s.tip_elongation, 0.0), 0.0);
+    place.free_length -= std::max(beyond, 0.0);
+    place.covered_depth = std::clamp(s.channel_depth + s.tip_elongation, 0.0, s.channel_depth);
+    to = needle::place_of(rod, entry);
+    last = entry.edge;
+  }
+  const Vec3 axis = (to - from).normalized();
+  for (int i = 1; i <= std::min(last, m.rod.edges); ++i)
+    place.bow = std::max(place.bow, across(rod.position[i] - from, axis).norm());
+  return place;
+}
+
+void touch_rod(const Model& m, State& s, Scratch& w) {
+  place_tip(m, s);
+  const RodPlace place = place_rod(m, s);
+  const double released = coupling::cover(s.channel, s.needle.channel, place.covered_depth, place.inserted_length);
+  s.ledger.work_friction += released;
+  w.rod.contacts.clear();
+  w.rod.contacts.push_back(tip_contact(m, s));
+  int edge = m.rod.edges - 1;
+  for (int cell = s.needle.channel.cells() - 1; cell >= 0; --cell) {
+    if (s.channel.length[cell] == 0.0) continue;
+    w.rod.contacts.push_back(cell_contact(m, s, cell, edge));
+    edge = w.rod.contacts.back().point.edge;
+  }
+  double energy = 0.0;
+  for (const RodContact& c : w.rod.contacts) energy += stored(c, c.slider.elongation, c.lateral_elongation);
+  s.ledger.work_numerical += s.ledger.energy_contact - energy - released;
+  s.ledger.energy_contact = energy;
+  correct_grips(m, s, w);
+  for (RodContact& c : w.rod.contacts) take_branch(c);
+}
+
+Vec3 rod_rate(const State& s, const RodContact& c) {
+  const auto at = [&](int node) {
+    const double* rate = &s.needle.rod.rate[needle::place_at(node)];
+    return Vec3(rate[0], rate[1], rate[2]);
+  };
+  return (1.0 - c.point.along) * at(c.point.edge) + c.point.along * at(c.point.edge + 1);
+}
+
+Vec3 tissue_rate(const State& s, const RodContact& c) { return coupling::mean(*c.at, s.velocity); }
+
+bool correct_grips(const Model& m, const State& s, Scratch& w) {
+  bool changed = false;
+  for (RodContact& c : w.rod.contacts) {
+    const double way = m.scene.run.time_step * c.axis.dot(rod_rate(s, c) - tissue_rate(s, c));
+    const Grip grip = coupling::grip_after(c.slider, way);
+    if (grip == c.grip) continue;
+    changed = true;
+    c.grip = grip;
+    take_branch(c);
+  }
+  return changed;
+}
+
+coupling::SliderStep slide_rod(const Model& m, State& s, const Scratch& w) {
+  coupling::SliderStep tip;
+  double energy = 0.0;
+  for (const RodContact& c : w.rod.contacts) {
+    const Vec3 way = m.scene.run.time_step * (rod_rate(s, c) - tissue_rate(s, c));
+    const coupling::SliderStep step = coupling::advance(c.slider, way.dot(c.axis));
+    const Vec3 sideways = across(way, c.axis);
+    s.ledger.work_numerical += step.numerical + 0.5 * c.lateral * sideways.squaredNorm();
+    energy += stored(c, step.elongation, c.lateral_elongation + sideways);
+    if (c.cell < 0) {
+      s.tip_elongation = step.elongation;
+      s.ledger.work_cutting += step.dissipated;
+      tip = step;
+    } else {
+      s.channel.elongation[c.cell] = step.elongation;
+      s.ledger.work_friction += step.dissipated;
+    }
+  }
+  s.ledger.energy_contact = energy;
+  return tip;
+}
+
+bool cut_along_tip(const Model& m, State& s, double slip) {
+  if (slip <= 0.0 || s.through || m.rigid()) return false;
+  RodNeedle& n = s.needle;
+  const auto held = m.locator->locate(n.channel_end, m.scene.contact.contact_radius);
+  const Vec3 axis = tangent_at(s, m.rod.edges - 1);
+  const Mat3 F = held ? tissue::deformation_gradient(m.tissue, s.position, held->tet) : Mat3(Mat3::Identity());
+  const Vec3 way = F.determinant() > 0.01 ? Vec3(F.inverse() * axis) : axis;
+  const Vec3 direction = way.normalized();
+  // Where the spring's end must be: what an earlier step left behind is made up for.
+  const double wanted = axis.dot(s.needle.rod.position.back() - channel_end_now(m, s)) - s.tip_elongation;
+  const Vec3 from = channel_end_now(m, s);
+  const double first_try = slip * std::clamp(way.norm(), 0.2, 5.0);
+  const Vec3 begin = n.channel_end;
+  n.channel_end = begin + first_try * direction;
+  attach_disc_into(s.tip, m, n.channel_end, direction);
+  // What the disc's mean makes of it: stretch of the tissue under the tip. Bounded, as is the advance, so that a crumpled element
+  // cannot throw the cut far ahead in one step; the next step makes up for what is missing.
+  const double reached = axis.dot(channel_end_now(m, s) - from);
+  const double stretch = std::clamp(reached / first_try, 0.2, 5.0);
+  const double advance = std::clamp(first_try + (wanted - reached) / stretch, 0.0, 5.0 * slip);
+  n.channel_end = begin + advance * direction;
+  attach_disc_into(s.tip, m, n.channel_end, direction);
+  s.channel_depth += advance;
+  while (n.channel.cells() * coupling::channel_cell < s.channel_depth && n.channel.cells() < m.most_cells())
+    add_cell(m, s, direction);
+  const double beyond = (n.channel_end - m.path.entry).dot(m.path.direction) - m.path.length;
+  if (s.tip.empty() || beyond >= 0.0) {
+    s.through = true;
+    s.tip_elongation = 0.0;  // the contact spring lets go
+  }
+  return s.through;
+}
+
+}  // namespace acus

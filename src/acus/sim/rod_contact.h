@@ -1,0 +1,36 @@
+// How a rod and the tissue hold each other: at the tip, and cell by cell along the channel.
+#pragma once
+
+#include "acus/sim/scratch.h"
+#include "acus/sim/state.h"
+
+namespace acus {
+
+// Where the rod is in the tissue.
+struct RodPlace {
+  double inserted_length = 0.0;  // m, inside
+  double free_length = 0.0;      // m, between hub and entry
+  double covered_depth = 0.0;    // m, rest length of the channel that the shaft fills
+  double bow = 0.0;              // m, largest distance of the free part from the line hub-entry
+};
+RodPlace place_rod(const Model& model, const State& state);
+
+// Lays the rod over its channel and lists what can hold it there, the tip first; each on the branch that the present rates
+// lead to. What its springs hold less than they did, because the rod's points have slid on to other places, is booked as lost.
+void touch_rod(const Model& model, State& state, Scratch& scratch);
+
+// m/s, of the rod's point and of the tissue there.
+Vec3 rod_rate(const State& state, const RodContact& contact);
+Vec3 tissue_rate(const State& state, const RodContact& contact);
+
+// The branches that the present rates lead to. Returns whether any changed.
+bool correct_grips(const Model& model, const State& state, Scratch& scratch);
+
+// Carries out the contacts' steps once rod and tissue have moved: books friction, cutting and what the implicit step lost, and
+// leaves the energy of the springs as line of the ledger. Returns the tip's step along its axis.
+coupling::SliderStep slide_rod(const Model& model, State& state, const Scratch& scratch);
+
+// The cut goes on by `slip` [m] in the direction of the tip, and the channel with it. Returns whether it has come out.
+bool cut_along_tip(const Model& model, State& state, double slip);
+
+}  // namespace acus

@@ -1,0 +1,27 @@
+#include "acus/sim/scratch.h"
+
+namespace acus {
+
+Scratch build_scratch(const Model& m) {
+  Scratch w;
+  if (m.scene.needle_model == NeedleModel::rod) {
+    w.rod.motion = needle::build_rod_motion(m.rod);
+    w.rod.contacts.reserve(static_cast<std::size_t>(m.most_cells()) + 1);
+    w.rod.free_answer.assign(m.rod.unknowns(), 0.0);
+    w.rod.load = w.rod.free_answer;
+  }
+  if (m.rigid()) return w;
+  w.corotation = tissue::build_corotation(m.tissue);
+  w.matrix = tissue::build_system_matrix(m.tissue);
+  w.solver = numeric::RefinedScratch(m.tissue.free_nodes);
+  w.coarse = numeric::build_scratch(m.coarse);
+  const std::size_t size = static_cast<std::size_t>(m.tissue.free_nodes) * numeric::node_stride;
+  for (numeric::NodeVector* v : {&w.product, &w.momentum, &w.right_hand_side, &w.velocity_before, &w.velocity_tried})
+    v->assign(size, 0.0);
+  w.stick_load.assign(size, 0.0F);
+  w.answer.assign(size, 0.0F);
+  w.held.reserve(static_cast<std::size_t>(m.most_cells()) + 1);
+  return w;
+}
+
+}  // namespace acus

@@ -1,0 +1,62 @@
+// What a step needs and forgets.
+#pragma once
+
+#include <vector>
+
+#include "acus/coupling/slider.h"
+#include "acus/needle/rod_motion.h"
+#include "acus/numeric/refined_solve.h"
+#include "acus/sim/model.h"
+
+namespace acus {
+
+// One attachment of a column that takes part in a step.
+struct HeldPoint {
+  coupling::Slider slider;
+  const coupling::Attachment* at = nullptr;
+  int cell = -1;  // of the channel; -1 for the tip
+  coupling::Grip grip = coupling::Grip::stick;
+  double rate_before = 0.0;  // m/s, of the tissue at the start of a line search
+  double rate_change = 0.0;  // m/s, over its whole step
+};
+
+// A place where a rod and the tissue hold each other in a step. With d the way of the rod's point against the tissue in the
+// step, the force on the rod is force - stiffness d.
+struct RodContact {
+  const coupling::Attachment* at = nullptr;  // empty: a stop that does not give
+  needle::RodPoint point;
+  Vec3 axis{0.0, 0.0, 0.0};  // unit, along the rod
+  coupling::Slider slider;   // along the axis
+  coupling::Grip grip = coupling::Grip::stick;
+  double lateral = 0.0;                       // N/m, across the axis, both ways
+  Vec3 lateral_elongation{0.0, 0.0, 0.0};     // m, before the step
+  int cell = -1;                              // of the channel; -1 for the tip
+  Vec3 force{0.0, 0.0, 0.0};                  // N, on this branch
+  Mat3 stiffness = Mat3::Zero();              // N/m, on this branch
+};
+
+struct RodScratch {
+  needle::RodMotion motion;
+  std::vector<RodContact> contacts;  // the tip first
+  std::vector<double> free_answer;   // of the rod while the tissue rests, [unknowns]
+  std::vector<double> load;          // [unknowns]
+};
+
+struct Scratch {
+  tissue::Corotation corotation;  // at the present positions
+  tissue::SystemMatrix matrix;    // at the positions of `corotation`
+  numeric::RefinedScratch solver;
+  numeric::CoarseScratch coarse;
+  numeric::NodeVector product;   // of the matrix
+  numeric::NodeVector momentum;  // M v0 + h f_el + impulses that do not depend on the step
+  numeric::NodeVector right_hand_side;
+  numeric::NodeVectorOf<float> stick_load;  // answer wanted for a unit rate of the needle
+  numeric::NodeVector velocity_before;      // at the start of the step
+  numeric::NodeVector velocity_tried;       // at the start of a line search
+  numeric::NodeVectorOf<float> answer;      // as state.influence, for resistance()
+  std::vector<HeldPoint> held;              // of a column: the tip first
+  RodScratch rod;                           // of a rod
+};
+Scratch build_scratch(const Model& model);
+
+}  // namespace acus

@@ -1,0 +1,42 @@
+#include "acus/sim/tissue_step.h"
+
+namespace acus {
+
+void assemble_tissue(const Model& m, const State& s, Scratch& w) {
+  tissue::momentum_into(w.momentum, m.tissue, s.velocity, w.corotation.elastic_force, m.scene.run.time_step);
+  tissue::assemble_into(w.matrix, m.tissue, w.corotation, m.factors.mass, m.factors.stiffness);
+}
+
+void begin_tissue(State& s, Scratch& w) {
+  w.velocity_before = s.velocity;
+  numeric::add_scaled_into(s.velocity, 1.0, s.velocity_change);
+}
+
+void move_tissue(const Model& m, State& s, Scratch& w, TissueBefore& before, const StepProbe& probe) {
+  const double h = m.scene.run.time_step;
+  s.velocity_change = s.velocity;
+  numeric::add_scaled_into(s.velocity_change, -1.0, w.velocity_before);
+  before.elastic_work = h * numeric::dot(std::span(w.corotation.elastic_force).first(s.velocity.size()), s.velocity);
+  tissue::multiply_into(w.product, m.tissue, w.corotation, w.matrix, s.velocity);
+  before.matrix_product = numeric::dot(s.velocity, w.product);
+  probe(StepPart::ledger);
+  tissue::move(s.position, s.velocity, h);
+  tissue::corotate_into(w.corotation, m.tissue, s.position);
+  probe(StepPart::rotation);
+}
+
+// Exact identities of linearly implicit Euler (motion.h): with K' frozen the elastic energy is quadratic, so its change is
+// -f_el . dx + dx . K' dx / 2, and what the new rotations change is booked too.
+void account_tissue(const Model& m, State& s, const Scratch& w, const TissueBefore& before) {
+  const double h = m.scene.run.time_step;
+  const double vmv = tissue::mass_product(m.tissue, s.velocity);
+  const double vkv = (before.matrix_product - m.factors.mass * vmv) / m.factors.stiffness;
+  const double frozen_energy = before.energy - before.elastic_work + 0.5 * h * h * vkv;
+  s.ledger.work_damping += h * (m.damping.mass * vmv + m.damping.stiffness * vkv);
+  s.ledger.work_numerical += 0.5 * tissue::mass_product(m.tissue, s.velocity_change) + 0.5 * h * h * vkv +
+                             (frozen_energy - w.corotation.energy);
+  s.ledger.energy_tissue = w.corotation.energy;
+  s.ledger.energy_kinetic = 0.5 * vmv;
+}
+
+}  // namespace acus

@@ -1,0 +1,38 @@
+// What a step does with the tissue, whatever the needle is made of.
+#pragma once
+
+#include "acus/sim/scratch.h"
+#include "acus/sim/state.h"
+#include "acus/sim/step_probe.h"
+
+namespace acus {
+
+// What the end of a step must know of its beginning.
+struct TissueBefore {
+  double energy = 0.0;          // J
+  double elastic_work = 0.0;    // J, of the forces at the beginning over the step's displacement
+  double matrix_product = 0.0;  // kg m^2/s^2, v . A v with the matrix at the beginning and the step's velocity
+};
+
+// Momentum and matrix at the present positions, without the needle.
+void assemble_tissue(const Model& model, const State& state, Scratch& scratch);
+
+// A start for the solve near its answer: the last velocity and its last change.
+void begin_tissue(State& state, Scratch& scratch);
+
+// Jacobi and a coarse grid, for the matrix of the tissue alone.
+inline auto preconditioner(const Model& m, Scratch& w) {
+  using Single = numeric::NodeVectorOf<float>;
+  return [&](Single& z, const Single& r) {
+    numeric::multiply_diagonal_into(z, w.matrix.inverse_diagonal, r);
+    numeric::add_coarse_correction_into(z, m.coarse, r, w.coarse);
+  };
+}
+
+// The solved velocity carried out.
+void move_tissue(const Model& model, State& state, Scratch& scratch, TissueBefore& before, const StepProbe& probe);
+
+// Tissue's lines of the ledger; its kinetic energy replaces the line.
+void account_tissue(const Model& model, State& state, const Scratch& scratch, const TissueBefore& before);
+
+}  // namespace acus

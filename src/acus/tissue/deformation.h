@@ -1,0 +1,21 @@
+// The deformation gradient F = dx/dX of one tetrahedron (Eq. 5's frame is its rotation).
+#pragma once
+
+#include <span>
+
+#include "acus/tissue/tissue_model.h"
+
+namespace acus::tissue {
+
+inline Mat3 deformation_gradient(const TissueModel& model, std::span<const Vec3> positions, int tet) {
+  const mesh::Tet& t = model.corners[tet];
+  Mat3 F = Mat3::Zero();
+  for (int i = 0; i < 3; ++i) {
+    Vec3 gradient;
+    for (int c = 0; c < 3; ++c) gradient[c] = model.gradient[lane_place(tet, 3 * i + c, 9)];
+    F += (positions[t[i + 1]] - positions[t[0]]) * gradient.transpose();
+  }
+  return F;
+}
+
+}  // namespace acus::tissue

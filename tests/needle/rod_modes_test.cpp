@@ -31,7 +31,7 @@ Straight straight(Support support, int edges, double load = 0.0) {
   s.spec.support = support;
   s.spec.imperfection = 0.0;
   s.rod = build_rod(s.spec, edges);
-  s.state = straight_rod(s.rod, s.hub);
+  s.state = unloaded_rod(s.rod, s.hub);
   for (Vec3& x : s.state.position) x *= 1.0 - load / s.rod.axial;
   s.stiffness = RodMatrix(s.rod.unknowns());
   std::vector<double> force(s.rod.unknowns());

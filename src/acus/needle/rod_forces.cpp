@@ -161,7 +161,7 @@ void add(std::vector<double>& to, int at, const Vec3& v) {
 // Adds to the three entries from (row, column) down.
 ACUS_INLINE void add(RodMatrix& m, int row, int column, const Three& v) {
   m.add(row, column, v.xy);
-  m.add(row + 2, column, v.z);
+  m.add(row + 2, column, v.z[0]);
 }
 // A block below the diagonal; one on it, by its lower half.
 ACUS_INLINE void add(RodMatrix& m, int row, int column, const Block& b) {

@@ -36,7 +36,7 @@ struct Press {
       : hub(towards(direction)), machine(steel(support), edges, hub) {
     const Vec3& a = hub.tangent;
     tip.pose = hub;
-    tip.pose.position = machine.state.position.back();
+    tip.pose.position = hub.position + length * a;
     tip.stiffness =
         1e5 * (support == Support::clamped_free ? Mat3(a * a.transpose()) : Mat3(Mat3::Identity()));
   }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "acus/numeric/logarithm.h"
+#include "acus/numeric/elementary.h"
 
 namespace acus::coupling {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "acus/coupling/near_field.h"
+#include "acus/numeric/elementary.h"
 #include "acus/tissue/deformation.h"
 
 namespace acus {
@@ -59,10 +60,13 @@ coupling::Slider tip_slider(const Model& m, const State& s) {
   return {stiffness, s.tip_elongation, 0.0, limit, true};
 }
 
-// Whether the tip is held across its axis: in its cut always, on the surface by what it dents.
-bool tip_held_across(const Model& m, const State& s) {
-  if (s.through) return false;
-  return s.punctured || (s.tip_elongation > 0.0 && m.scene.needle.support != needle::Support::clamped_free);
+// N/m, by which the tip is held across its axis: by the dent it makes on the surface, in its cut as the shaft is.
+double tip_hold(const Model& m, const State& s) {
+  if (s.through) return 0.0;
+  const int cells = s.needle.channel.cells();
+  if (s.punctured) return cells > 0 ? s.needle.cell_lateral[cells - 1] * coupling::channel_cell : 0.0;
+  const bool rests = s.tip_elongation > 0.0 && m.scene.needle.support != needle::Support::clamped_free;
+  return rests ? m.scene.contact.stiffness : 0.0;
 }
 
 void place_tip(const Model& m, State& s) {
@@ -80,10 +84,8 @@ RodContact tip_contact(const Model& m, const State& s) {
   c.axis = tangent_at(s, m.rod.edges - 1);
   c.slider = tip_slider(m, s);
   const Vec3 gap = s.needle.rod.position.back() - channel_end_now(m, s) - s.needle.tip_offset;
-  if (tip_held_across(m, s)) {
-    c.lateral = m.scene.contact.stiffness;
-    c.lateral_elongation = across(gap, c.axis);
-  }
+  c.lateral = tip_hold(m, s);
+  c.lateral_elongation = across(gap, c.axis);
   return c;
 }
 
@@ -111,13 +113,8 @@ double stored(const RodContact& c, double along, const Vec3& sideways) {
   return coupling::stored_energy(c.slider, along) + 0.5 * c.lateral * sideways.squaredNorm();
 }
 
-// m, the mean of a tetrahedron's six edges at rest.
-double mean_edge(const mesh::TetMesh& mesh, int tet) {
-  double sum = 0.0;
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < i; ++j) sum += (mesh.nodes[mesh.tets[tet][i]] - mesh.nodes[mesh.tets[tet][j]]).norm();
-  return sum / 6.0;
-}
+// m, edge of the cube of which a tetrahedron is a sixth: the mesh's spacing.
+double spacing(double volume) { return numeric::cube_root(6.0 * volume); }
 
 // The next cell of the channel, half a cell ahead of where it begins.
 void add_cell(const Model& m, State& s, const Vec3& direction) {
@@ -131,7 +128,7 @@ void add_cell(const Model& m, State& s, const Vec3& direction) {
   const auto held = m.locator->locate(point, m.scene.contact.contact_radius);
   const int tet = held ? held->tet : 0;
   n.cell_lateral[cell] = coupling::near_field(tissue::shear_modulus(m.material()), m.scene.tissue.poisson_ratio,
-                                              mean_edge(m.mesh, tet), m.scene.needle.radius)
+                                              spacing(m.tissue.volume[tissue::lane_place(tet, 0, 1)]), m.scene.needle.radius)
                              .lateral;
   ++n.channel.count;
 }

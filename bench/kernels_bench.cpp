@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "acus/needle/column.h"
+#include "acus/needle/rod_motion.h"
 #include "acus/sim/step.h"
 
 namespace {
@@ -107,6 +108,68 @@ void column_response(benchmark::State& state) {
   count(state, 1);
 }
 BENCHMARK(column_response);
+
+// A needle of 60 elements in disorder, and what a step of it takes.
+struct MovingRod {
+  needle::Rod rod = needle::build_rod(needle::NeedleSpec{}, 60);
+  needle::Pose hub;
+  needle::RodState state = needle::unloaded_rod(rod, hub);
+  needle::RodMotion motion = needle::build_rod_motion(rod);
+  static constexpr double h = 1e-3;  // s
+  MovingRod() {
+    for (int i = 0; i < rod.unknowns(); ++i)
+      motion.change[i] = (needle::is_spin(i) ? 1e-2 : 1e-5) * std::sin(0.7 * i);
+    needle::displace(state, rod, motion.change);
+  }
+  void linearise() {
+    needle::linearise(motion, rod, state, hub, hub, h, 0.0);
+    needle::hold_hub(motion);
+  }
+  void solve() {
+    motion.change = motion.residual;
+    motion.matrix.solve(motion.change.data());
+  }
+};
+
+void rod_linearisation(benchmark::State& state) {
+  MovingRod r;
+  for (auto _ : state) r.linearise();
+  count(state, r.rod.edges);
+}
+BENCHMARK(rod_linearisation);
+
+void rod_factorisation(benchmark::State& state) {
+  MovingRod r;
+  r.linearise();
+  const needle::RodMatrix matrix = r.motion.matrix;
+  for (auto _ : state) {
+    r.motion.matrix = matrix;
+    benchmark::DoNotOptimize(r.motion.matrix.factor());
+  }
+  count(state, r.rod.edges);
+}
+BENCHMARK(rod_factorisation);
+
+void rod_solution(benchmark::State& state) {
+  MovingRod r;
+  r.linearise();
+  r.motion.matrix.factor();
+  for (auto _ : state) r.solve();
+  count(state, r.rod.edges);
+}
+BENCHMARK(rod_solution);
+
+void rod_newton_iteration(benchmark::State& state) {
+  MovingRod r;
+  for (auto _ : state) {
+    r.linearise();
+    r.motion.matrix.factor();
+    r.solve();
+    needle::apply_change(r.motion, r.rod, r.state, r.h);
+  }
+  count(state, r.rod.edges);
+}
+BENCHMARK(rod_newton_iteration);
 
 }  // namespace
 

@@ -72,7 +72,7 @@ TEST(RodForces, are_the_slope_of_the_energy) {
 
 TEST(RodForces, matrix_is_the_slope_of_the_forces) {
   for (int seed = 1; seed <= 5; ++seed) {
-    const Crooked c = crooked(seed, 0.0);
+    const Crooked c = crooked(seed, 0.1);
     RodMatrix matrix(c.rod.unknowns());
     std::vector<double> force(c.rod.unknowns());
     rod_forces_into(force, matrix, 1.0, 1.0, c.rod, c.state, c.hub, c.tip);

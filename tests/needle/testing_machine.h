@@ -16,7 +16,6 @@ struct Tip {
   Pose pose;                      // where the vice is; its directions count where the rod's tip is clamped
   Mat3 stiffness = Mat3::Zero();  // N/m, of the vice's hold
   Vec3 force{0.0, 0.0, 0.0};      // N, dead load
-  Vec3 moment{0.0, 0.0, 0.0};     // N m, dead, on the last edge by a couple
 };
 
 class Machine {
@@ -45,7 +44,7 @@ class Machine {
       if (largest > most)
         for (double& c : motion_.change) c *= most / largest;
       apply_change(motion_, rod, state, h);
-      if (largest < 1e-12) {
+      if (largest < 1e-10) {
         load(hub, tip, h, 1.0);
         hub_force_ = -hub_impulse_ / h;
         return pass + 1;
@@ -62,7 +61,7 @@ class Machine {
       double largest = 0.0;
       for (int k = 0; k < rod.nodes(); ++k)
         largest = std::max(largest, (state.position[k] - before[k]).norm());
-      if (largest < 1e-9) return true;
+      if (largest < 1e-8) return true;
     }
     return false;
   }
@@ -87,13 +86,6 @@ class Machine {
     for (int k = 0; k < 3; ++k) {
       for (int l = 0; l <= k; ++l) motion_.matrix.add(at + k, at + l, h * h * tip.stiffness(k, l));
       motion_.residual[at + k] += h * tip_force(tip)[k];
-    }
-    motion_.residual[spin_at(rod.edges - 1)] += h * tip.moment.dot(edge(state, rod.edges - 1).normalized());
-    const Vec3 couple =
-        tip.moment.cross(edge(state, rod.edges - 1)) / edge(state, rod.edges - 1).squaredNorm();
-    for (int k = 0; k < 3; ++k) {
-      motion_.residual[at + k] += h * couple[k];
-      motion_.residual[place_at(rod.edges - 1) + k] -= h * couple[k];
     }
     hub_impulse_ = Vec3(motion_.residual[0], motion_.residual[1], motion_.residual[2]);
     hold_hub(motion_);

@@ -18,6 +18,20 @@ double bow_curvature(const NeedleSpec& spec, bool hub_clamped, double s) {
   return amplitude * wave * wave * (hub_clamped ? numeric::cos(phase) : -numeric::sin(phase));
 }
 
+struct Turn {
+  double cos, sin;
+};
+// For what a section turns in a step, by the first terms of Taylor's series: what is left out of them is
+// below 1e-18.
+Turn turn_by(double angle) {
+  if (std::abs(angle) > 0.0625) return {numeric::cos(angle), numeric::sin(angle)};
+  const double s = angle * angle;
+  double cos = 1.0, sin = 1.0;
+  for (const double n : {1.0 / 90.0, 1.0 / 56.0, 1.0 / 30.0, 1.0 / 12.0, 1.0 / 2.0}) cos = 1.0 - n * s * cos;
+  for (const double n : {1.0 / 72.0, 1.0 / 42.0, 1.0 / 20.0, 1.0 / 6.0}) sin = 1.0 - n * s * sin;
+  return {cos, angle * sin};
+}
+
 }  // namespace
 
 Rod build_rod(const NeedleSpec& spec, int edges, double poisson_ratio) {
@@ -61,27 +75,23 @@ RodState unloaded_rod(const Rod& rod, const Pose& hub) {
   return s;
 }
 
-Vec3 transported(const Vec3& v, const Vec3& from, const Vec3& to) {
-  const double c = from.dot(to);
-  const Vec3 axis = from.cross(to);
-  return c * v + axis.cross(v) + axis * (axis.dot(v) / (1.0 + c));
-}
-
 void displace(RodState& s, const Rod& rod, const std::vector<double>& change) {
+  Vec3 last = s.position[0];  // where the node before was
   const auto step = [&](int node) {
-    return Vec3(change[place_at(node)], change[place_at(node) + 1], change[place_at(node) + 2]);
+    const double* const by = &change[place_at(node)];
+    s.position[node] += Vec3(by[0], by[1], by[2]);
   };
-  Vec3 before = edge(s, 0).normalized();
-  s.position[0] += step(0);
+  step(0);
   for (int j = 0; j < rod.edges; ++j) {
-    const Vec3 next_before = j + 1 < rod.edges ? edge(s, j + 1).normalized() : before;
-    s.position[j + 1] += step(j + 1);
-    const Vec3 tangent = edge(s, j).normalized();
-    const double spin = change[spin_at(j)];
+    const Vec3 here = s.position[j + 1];
+    step(j + 1);
+    const Vec3 before = (here - last).normalized(), tangent = edge(s, j).normalized();
+    last = here;
+    const Turn turn = turn_by(change[spin_at(j)]);
     const Vec3 carried = transported(s.director[j], before, tangent);
-    const Vec3 turned = numeric::cos(spin) * carried + numeric::sin(spin) * tangent.cross(carried);
-    s.director[j] = (turned - turned.dot(tangent) * tangent).normalized();  // rounding does not add up
-    before = next_before;
+    const Vec3 turned = turn.cos * carried + turn.sin * tangent.cross(carried);
+    const Vec3 across = turned - turned.dot(tangent) * tangent;
+    s.director[j] = (1.5 - 0.5 * across.squaredNorm()) * across;  // unit again: rounding does not add up
   }
 }
 

@@ -69,9 +69,12 @@ RodState unloaded_rod(const Rod& rod, const Pose& hub);
 
 inline Vec3 edge(const RodState& s, int j) { return s.position[j + 1] - s.position[j]; }
 
-// Shortest rotation from the direction of unit vector `from` to that of `to`, applied to v. Not defined for
-// opposite ones.
-Vec3 transported(const Vec3& v, const Vec3& from, const Vec3& to);
+// Shortest rotation from the direction of unit vector `from` to that of `to`, applied to v: two reflections.
+// Not defined for opposite ones.
+inline Vec3 transported(const Vec3& v, const Vec3& from, const Vec3& to) {
+  const Vec3 both = from + to;
+  return v - (both.dot(v) / (1.0 + from.dot(to))) * both + (2.0 * from.dot(v)) * to;
+}
 
 // Moves the rod on by `change` [unknowns, m and rad]: directors go with their edges by the shortest rotation
 // and then turn by the spin.

@@ -15,142 +15,232 @@ struct Side {
   Vec3 director;
   double inverse_length;
 };
+Side held_side(const Pose& pose) { return {pose.tangent, pose.director, 0.0}; }
 
 // Energy of a node by the edges beside it, its gradient and the parts of its Hessian: a before the node, b
 // behind it.
 struct NodeTerms {
-  double bending = 0.0, twist = 0.0;  // J
-  Vec3 ga, gb;                        // N, by the edge vectors
-  double spin_a = 0.0, spin_b = 0.0;  // N m, by the spins
+  double bending, twist;  // J
+  Vec3 ga, gb;            // N, by the edge vectors
+  double spin_a, spin_b;  // N m, by the spins
+};
+
+using numeric::Lane2;
+
+// Three numbers and a zero, as two pairs: the registers of every machine.
+struct Three {
+  Lane2 xy{}, z{};
+
+  Three() = default;
+  ACUS_INLINE Three(Lane2 first, Lane2 second) : xy(first), z(second) {}
+  ACUS_INLINE explicit Three(const Vec3& v) : xy{v[0], v[1]}, z{v[2], 0.0} {}
+  ACUS_INLINE double operator[](int i) const { return i < 2 ? xy[i] : z[0]; }
+  friend ACUS_INLINE Three operator+(const Three& u, const Three& v) { return {u.xy + v.xy, u.z + v.z}; }
+  friend ACUS_INLINE Three operator-(const Three& u, const Three& v) { return {u.xy - v.xy, u.z - v.z}; }
+  friend ACUS_INLINE Three operator*(double d, const Three& v) { return {d * v.xy, d * v.z}; }
+};
+
+// A matrix by its columns.
+struct Block {
+  Three x, y, z;
+
+  friend ACUS_INLINE Block operator+(const Block& a, const Block& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+  }
+  friend ACUS_INLINE Block operator-(const Block& a, const Block& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+  }
+  friend ACUS_INLINE Block operator*(double d, const Block& b) { return {d * b.x, d * b.y, d * b.z}; }
+};
+ACUS_INLINE Block diagonal(double d) {
+  return {{Lane2{d, 0.0}, Lane2{}}, {Lane2{0.0, d}, Lane2{}}, {Lane2{}, Lane2{d, 0.0}}};
+}
+ACUS_INLINE Block outer(const Three& u, const Three& v) { return {v[0] * u, v[1] * u, v[2] * u}; }  // u v^T
+ACUS_INLINE Block outer_both_ways(const Three& u, const Three& v) { return outer(u, v) + outer(v, u); }
+// v x, the matrix of a cross product
+ACUS_INLINE Block cross(const Three& v) {
+  return {{Lane2{0.0, v[2]}, Lane2{-v[1], 0.0}},
+          {Lane2{-v[2], 0.0}, Lane2{v[0], 0.0}},
+          {Lane2{v[1], -v[0]}, Lane2{}}};
+}
+
+// All times one factor.
+struct SpinHessian {
+  Three a, b;  // N, of one edge's spin by the two edge vectors
+  double own;  // N m
 };
 struct NodeHessian {
-  Mat3 aa, ab, bb;        // N/m; the row is of a in ab
-  Vec3 twist_a, twist_b;  // 1/m, of the director's turn by the edge vectors; by the spins it is -1 and 1
+  Block aa, ba, bb;  // N/m; the row is of b in ba
+  SpinHessian sa, sb;
+  double between;  // N m, of the spins
 };
+
+// 2 atan(x), for a twist of up to an eighth by the first terms of Gregory's series: what is left out is below
+// 1e-18 of it.
+double twice_arc(double x) {
+  if (std::abs(x) > 0.0625) return 2.0 * numeric::atan(x);
+  const double s = x * x;
+  double sum = 1.0 / 13.0;
+  for (const double term : {1.0 / 11.0, 1.0 / 9.0, 1.0 / 7.0, 1.0 / 5.0, 1.0 / 3.0, 1.0})
+    sum = term - s * sum;
+  return 2.0 * x * sum;
+}
 
 // Symbols: bend = EI / l_i, twist = GJ / l_i.
 template <bool with_hessian>
 NodeTerms node_terms(const Side& a, const Side& b, double bend, double twist,
-                     const std::array<double, 2>& natural, NodeHessian* h) {
+                     const std::array<double, 2>& natural, double factor, double compression,
+                     NodeHessian* h) {
   NodeTerms out;
   const double c = a.tangent.dot(b.tangent);
-  const double chi = 1.0 + c;
-  const Vec3 kb = (2.0 / chi) * a.tangent.cross(b.tangent);
-  const Vec3 mean_tangent = (a.tangent + b.tangent) / chi;
+  const double inverse = 1.0 / (1.0 + c);
+  const Vec3 kb = (2.0 * inverse) * a.tangent.cross(b.tangent);
+  const Vec3 mean = inverse * (a.tangent + b.tangent);
 
   // |kb|^2 = 4 (1 - c) / (1 + c)
-  const double slope = -4.0 * bend / (chi * chi);
+  const double slope = -4.0 * bend * inverse * inverse;
   const Vec3 ua = b.tangent - c * a.tangent;  // dc/da |a|
   const Vec3 ub = a.tangent - c * b.tangent;
-  out.bending = 2.0 * bend * (1.0 - c) / chi;
-  out.ga = slope * a.inverse_length * ua;
-  out.gb = slope * b.inverse_length * ub;
 
-  if (natural[0] != 0.0 || natural[1] != 0.0) {
-    const Vec3 a2 = a.tangent.cross(a.director), b2 = b.tangent.cross(b.director);
-    const double k1 = 0.5 * kb.dot(a2 + b2), k2 = -0.5 * kb.dot(a.director + b.director);
-    const Vec3 d1 = (a.director + b.director) / chi, d2 = (a2 + b2) / chi;
-    out.bending += bend * (0.5 * (natural[0] * natural[0] + natural[1] * natural[1]) - natural[0] * k1 -
-                           natural[1] * k2);
-    const Vec3 fall = natural[0] * d2 - natural[1] * d1;  // k0 . grad k
-    const double along = natural[0] * k1 + natural[1] * k2;
-    out.ga -= bend * a.inverse_length * (b.tangent.cross(fall) - along * mean_tangent);
-    out.gb -= bend * b.inverse_length * (-a.tangent.cross(fall) - along * mean_tangent);
-    out.spin_a += 0.5 * bend * (natural[0] * kb.dot(a.director) + natural[1] * kb.dot(a2));
-    out.spin_b += 0.5 * bend * (natural[0] * kb.dot(b.director) + natural[1] * kb.dot(b2));
-  }
+  // k0 . k = kb . (fa + fb) / 2: k0 in the directors of either edge, a quarter turn from there, and both
+  // together.
+  const Vec3 a2 = a.tangent.cross(a.director), b2 = b.tangent.cross(b.director);
+  const Vec3 fa = natural[0] * a2 - natural[1] * a.director, fb = natural[0] * b2 - natural[1] * b.director;
+  const Vec3 qa = natural[0] * a.director + natural[1] * a2, qb = natural[0] * b.director + natural[1] * b2;
+  const Vec3 f = inverse * (fa + fb);
+  const double along = 0.5 * kb.dot(fa + fb), across_a = 0.5 * kb.dot(qa), across_b = 0.5 * kb.dot(qb);
+  const Vec3 pa = along * mean - b.tangent.cross(f), pb = along * mean + a.tangent.cross(f);
 
-  const Vec3 carried = transported(a.director, a.tangent, b.tangent);
-  const double turn =
-      2.0 * numeric::atan(b.tangent.dot(carried.cross(b.director)) / (1.0 + carried.dot(b.director)));
-  const Vec3 ta = 0.5 * a.inverse_length * kb, tb = 0.5 * b.inverse_length * kb;
+  const Vec3 carried = a.director - b.tangent.dot(a.director) * mean;
+  const double turn = twice_arc(b.tangent.dot(carried.cross(b.director)) / (1.0 + carried.dot(b.director)));
   const double torque = twist * turn;
+
+  out.bending =
+      bend * (2.0 * (1.0 - c) * inverse + 0.5 * (natural[0] * natural[0] + natural[1] * natural[1]) - along);
   out.twist = 0.5 * torque * turn;
-  out.ga += torque * ta;
-  out.gb += torque * tb;
-  out.spin_a -= torque;
-  out.spin_b += torque;
+  out.ga = a.inverse_length * (slope * ua + bend * pa + (0.5 * torque) * kb);
+  out.gb = b.inverse_length * (slope * ub + bend * pb + (0.5 * torque) * kb);
+  out.spin_a = bend * across_a - torque;
+  out.spin_b = bend * across_b + torque;
 
   if constexpr (with_hessian) {
-    const double curve = 8.0 * bend / (chi * chi * chi);
-    const auto across = [](const Vec3& t) { return Mat3(Mat3::Identity() - t * t.transpose()); };
-    const Mat3 pa = across(a.tangent), pb = across(b.tangent);
     const double la = a.inverse_length, lb = b.inverse_length;
-    const Mat3 uta = ua * a.tangent.transpose(), utb = ub * b.tangent.transpose();
-    h->aa = la * la * (curve * ua * ua.transpose() - slope * (uta + uta.transpose() + c * pa));
-    h->bb = lb * lb * (curve * ub * ub.transpose() - slope * (utb + utb.transpose() + c * pb));
-    h->ab = la * lb * (curve * ua * ub.transpose() + slope * pa * pb);
-    h->twist_a = ta;
-    h->twist_b = tb;
-    h->aa += twist * ta * ta.transpose();
-    h->bb += twist * tb * tb.transpose();
-    h->ab += twist * ta * tb.transpose();
-    if (torque != 0.0) {
-      const Mat3 ka = kb * (a.tangent + mean_tangent).transpose(),
-                 kbb = kb * (b.tangent + mean_tangent).transpose();
-      Mat3 skew;
-      skew << 0.0, -a.tangent.z(), a.tangent.y(), a.tangent.z(), 0.0, -a.tangent.x(), -a.tangent.y(),
-          a.tangent.x(), 0.0;
-      h->aa -= (0.25 * torque * la * la) * (ka + ka.transpose());
-      h->bb -= (0.25 * torque * lb * lb) * (kbb + kbb.transpose());
-      h->ab += (0.5 * torque * la * lb) * ((2.0 / chi) * skew - kb * mean_tangent.transpose());
-    }
+    const double s = factor * slope, curve = -2.0 * s * inverse, t = factor * twist, q = factor * torque;
+    const double n = -factor * compression * bend, bent = n * along * inverse;
+    const Three k(kb), ta(a.tangent), tb(b.tangent), va(ua), vb(ub), m(mean);
+    // Times |a|^2, |b|^2 and |a| |b|.
+    const auto own = [&](const Vec3& tangent, const Vec3& u, const Vec3& p, const Vec3& fall) {
+      const Three x(tangent), y(u);
+      const double in_line = s * c + bent;
+      return diagonal(-in_line) + outer(x, in_line * x) + outer_both_ways(y, 0.5 * curve * y - s * x) +
+             outer_both_ways(k, (0.125 * t) * k - (0.25 * q) * (x + m) + (0.25 * n) * Three(fall)) +
+             outer_both_ways(m, n * Three(p));
+    };
+    h->aa = (la * la) * own(a.tangent, ua, pa, fa);
+    h->bb = (lb * lb) * own(b.tangent, ub, pb, fb);
+    h->ba = (la * lb) * (diagonal(s - bent) + outer(vb, curve * va - s * ta) - outer(tb, s * tb + bent * ta) +
+                         outer((0.25 * t) * k - (0.5 * q) * m, k) + outer(m, n * Three(pa)) +
+                         outer(n * Three(pb), m) + cross(n * Three(f) - (q * inverse) * ta));
+    const auto spin = [&](const Vec3& quarter, double across, const Vec3& fall, double sign) {
+      const Vec3 from_a = n * (across * mean - inverse * b.tangent.cross(quarter));
+      const Vec3 from_b = n * (across * mean + inverse * a.tangent.cross(quarter));
+      return SpinHessian{la * (Three(from_a) + (0.5 * sign * t) * k),
+                         lb * (Three(from_b) + (0.5 * sign * t) * k), t - 0.5 * n * kb.dot(fall)};
+    };
+    h->sa = spin(qa, across_a, fa, -1.0);
+    h->sb = spin(qb, across_b, fb, 1.0);
+    h->between = -t;
   }
   return out;
 }
-
-// The edges in order, with what a clamp holds at both ends: sides[i] and sides[i + 1] meet at node i.
-Side side_of(const RodState& s, int j) {
-  const Vec3 e = edge(s, j);
-  const double inverse = 1.0 / e.norm();
-  return {e * inverse, s.director[j], inverse};
-}
-Side held_side(const Pose& pose) { return {pose.tangent, pose.director, 0.0}; }
 
 void add(std::vector<double>& to, int at, const Vec3& v) {
   for (int k = 0; k < 3; ++k) to[at + k] += v[k];
 }
 
-void add_block(RodMatrix& m, int row, int column, const Mat3& block) {
-  for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 3; ++c)
-      if (row + r >= column + c) m.add(row + r, column + c, block(r, c));
+// Adds to the three entries from (row, column) down.
+ACUS_INLINE void add(RodMatrix& m, int row, int column, const Three& v) {
+  m.add(row, column, v.xy);
+  m.add(row + 2, column, v.z[0]);
 }
-void add_column(RodMatrix& m, int row, int column, const Vec3& block) {
-  for (int r = 0; r < 3; ++r)
-    row + r >= column ? m.add(row + r, column, block[r]) : m.add(column, row + r, block[r]);
+// A block below the diagonal; one on it, by its lower half.
+ACUS_INLINE void add(RodMatrix& m, int row, int column, const Block& b) {
+  add(m, row, column, b.x);
+  add(m, row, column + 1, b.y);
+  add(m, row, column + 2, b.z);
+}
+ACUS_INLINE void add_symmetric(RodMatrix& m, int at, const Block& b) {
+  add(m, at, at, b.x);
+  m.add(at + 1, at + 1, Lane2{b.y[1], b.y[2]});
+  m.add(at + 2, at + 2, b.z[2]);
+}
+// A place by the spin of the edge before or behind it.
+ACUS_INLINE void add_spin(RodMatrix& m, int place, int spin, const Three& v) {
+  if (place > spin) return add(m, place, spin, v);
+  for (int c = 0; c < 3; ++c) m.add(spin, place + c, v[c]);
 }
 
-// Adds factor * Hessian of node i by the places of nodes i - 1, i, i + 1 and the spins of the edges between.
-void scatter(RodMatrix& m, const Rod& rod, int i, const NodeHessian& h, double twist, double factor) {
+// Of edge j by its own vector.
+ACUS_INLINE void add_edge(RodMatrix& m, int j, const Block& own) {
+  add_symmetric(m, place_at(j), own);
+  add_symmetric(m, place_at(j + 1), own);
+  add(m, place_at(j + 1), place_at(j), -1.0 * own);
+}
+
+// Hessian of node i by the two edges at once, and by the spins of the edges beside it.
+ACUS_INLINE void add_node(RodMatrix& m, const Rod& rod, int i, const NodeHessian& h) {
   const bool before = i > 0, behind = i < rod.edges;  // which edges are the rod's, and not a clamp's
-  const Mat3 aa = factor * h.aa, ab = factor * h.ab, bb = factor * h.bb;
-  const Vec3 a = factor * twist * h.twist_a, b = factor * twist * h.twist_b;
-  const double t = factor * twist;
   const int p = place_at(i - 1), q = place_at(i), r = place_at(i + 1);
   const int sa = spin_at(i - 1), sb = spin_at(i);
-  // An edge in a clamp does not change: its terms are zero.
-  add_block(m, q, q, aa - ab - ab.transpose() + bb);
   if (before) {
-    add_block(m, p, p, aa);
-    add_block(m, q, p, ab.transpose() - aa);
-    m.add(sa, sa, t);
-    add_column(m, p, sa, a);
-    add_column(m, q, sa, b - a);
-    if (behind) add_column(m, r, sa, -b);
+    m.add(sa, sa, h.sa.own);
+    add_spin(m, p, sa, -1.0 * h.sa.a);
+    add_spin(m, q, sa, h.sa.a - h.sa.b);
   }
   if (behind) {
-    add_block(m, r, r, bb);
-    add_block(m, r, q, ab.transpose() - bb);
-    m.add(sb, sb, t);
-    add_column(m, q, sb, a - b);
-    add_column(m, r, sb, b);
+    m.add(sb, sb, h.sb.own);
+    add_spin(m, q, sb, h.sb.a - h.sb.b);
+    add_spin(m, r, sb, h.sb.b);
   }
   if (before && behind) {
-    add_block(m, r, p, -ab.transpose());
-    add_column(m, p, sb, -a);
-    m.add(sb, sa, -t);
+    const Block across = -1.0 * h.ba;
+    const Three& x = across.x;
+    const Three& y = across.y;
+    const Three& z = across.z;
+    add_symmetric(m, q,
+                  {{x.xy + Lane2{x[0], y[0]}, x.z + Lane2{z[0], 0.0}},
+                   {Lane2{0.0, 2.0 * y[1]}, Lane2{y[2] + z[1], 0.0}},
+                   {Lane2{}, Lane2{2.0 * z[2], 0.0}}});
+    add(m, q, p, h.ba);
+    add(m, r, q, h.ba);
+    add(m, r, p, across);
+    m.add(sb, sa, h.between);
+    add_spin(m, p, sb, -1.0 * h.sb.a);
+    add_spin(m, r, sa, h.sa.b);
   }
+}
+
+// Edge i with its tension and stiffness.
+struct Stretched {
+  Side side;
+  Vec3 tension;   // N
+  double energy;  // J
+};
+template <bool with_matrix>
+Stretched stretched(const Rod& rod, const RodState& s, int i, double factor, double compression,
+                    Block* stiffness) {
+  const Vec3 e = edge(s, i);
+  const double length = e.norm(), inverse = 1.0 / length;
+  const Vec3 tangent = inverse * e;
+  const double rigidity = rod.axial / rod.edge_length[i];
+  const double excess = length - rod.edge_length[i];
+  const double tension = rigidity * excess;
+  if constexpr (with_matrix) {
+    const double geometric = (tension < 0.0 ? compression * tension : tension) * inverse;
+    const Three t(tangent);
+    *stiffness = diagonal(factor * geometric) + outer(t, (factor * (rigidity - geometric)) * t);
+  }
+  return {{tangent, s.director[i], inverse}, tension * tangent, 0.5 * tension * excess};
 }
 
 template <bool with_matrix>
@@ -160,48 +250,47 @@ RodEnergy forces(std::vector<double>& f, RodMatrix* matrix, double factor, doubl
   std::fill(f.begin(), f.end(), 0.0);
   const auto push = [&](int node, const Vec3& force) { add(f, place_at(node), force); };
   Side before = held_side(hub);
+  Block own_before, own_behind;  // of the edges by their own vectors
   for (int i = 0; i <= rod.edges; ++i) {
     const bool last = i == rod.edges;
-    const Side behind = last ? held_side(tip) : side_of(s, i);
+    Side behind = held_side(tip);
     if (!last) {
-      const double length = 1.0 / behind.inverse_length;
-      const double strain = length / rod.edge_length[i] - 1.0;
-      const Vec3 tension = rod.axial * strain * behind.tangent;
-      energy.stretch += 0.5 * rod.axial * rod.edge_length[i] * strain * strain;
-      push(i, tension);
-      push(i + 1, -tension);
+      const Stretched edge = stretched<with_matrix>(rod, s, i, factor, compression, &own_behind);
+      energy.stretch += edge.energy;
+      push(i, edge.tension);
+      push(i + 1, -edge.tension);
+      behind = edge.side;
+    }
+    if (!last || rod.tip_clamped) {
+      // A pinned hub hinders spinning alone.
+      const double inverse = 1.0 / rod.node_length[i];
+      const double bend = i > 0 || rod.hub_clamped ? rod.bending * inverse : 0.0;
+      const double twist = rod.torsion * inverse;
+      NodeHessian hessian;
+      const NodeTerms n = node_terms<with_matrix>(before, behind, bend, twist, rod.natural_turning[i], factor,
+                                                  compression, &hessian);
+      energy.bending += n.bending;
+      energy.twist += n.twist;
+      if (i > 0) {
+        push(i - 1, n.ga);
+        push(i, -n.ga);
+        f[spin_at(i - 1)] -= n.spin_a;
+      }
+      if (!last) {
+        push(i, n.gb);
+        push(i + 1, -n.gb);
+        f[spin_at(i)] -= n.spin_b;
+      }
       if constexpr (with_matrix) {
-        const Mat3 tt = behind.tangent * behind.tangent.transpose();
-        const double counted = strain < 0.0 ? compression * strain : strain;
-        const double geometric = rod.axial * counted * behind.inverse_length;
-        const Mat3 k =
-            factor * (geometric * Mat3::Identity() + (rod.axial / rod.edge_length[i] - geometric) * tt);
-        add_block(*matrix, place_at(i + 1), place_at(i + 1), k);
-        add_block(*matrix, place_at(i), place_at(i), k);
-        add_block(*matrix, place_at(i + 1), place_at(i), -k);
+        add_node(*matrix, rod, i, hessian);
+        if (i > 0) own_before = own_before + hessian.aa;
+        if (!last) own_behind = own_behind + hessian.bb;
       }
     }
-    if (last && !rod.tip_clamped) break;
-    // A pinned hub hinders spinning alone.
-    const bool bends = i > 0 || rod.hub_clamped;
-    const double bend = bends ? rod.bending / rod.node_length[i] : 0.0;
-    const double twist = rod.torsion / rod.node_length[i];
-    NodeHessian hessian;
-    const NodeTerms n =
-        node_terms<with_matrix>(before, behind, bend, twist, rod.natural_turning[i], &hessian);
-    energy.bending += n.bending;
-    energy.twist += n.twist;
-    if (i > 0) {
-      push(i - 1, n.ga);
-      push(i, -n.ga);
-      f[spin_at(i - 1)] -= n.spin_a;
+    if constexpr (with_matrix) {
+      if (i > 0) add_edge(*matrix, i - 1, own_before);
+      own_before = own_behind;
     }
-    push(i, n.gb);
-    if (!last) {
-      push(i + 1, -n.gb);
-      f[spin_at(i)] -= n.spin_b;
-    }
-    if constexpr (with_matrix) scatter(*matrix, rod, i, hessian, twist, factor);
     before = behind;
   }
   return energy;
@@ -222,9 +311,10 @@ RodEnergy rod_forces_into(std::vector<double>& f, RodMatrix& matrix, double fact
 Vec3 hub_moment(const Rod& rod, const RodState& s, const Pose& hub) {
   Side held = held_side(hub);
   held.inverse_length = 1.0;  // the gradient by the clamp's tangent
+  const Side first{edge(s, 0).normalized(), s.director[0], 0.0};
   const double bend = rod.hub_clamped ? rod.bending / rod.node_length[0] : 0.0;
-  const NodeTerms n = node_terms<false>(held, side_of(s, 0), bend, rod.torsion / rod.node_length[0],
-                                        rod.natural_turning[0], nullptr);
+  const NodeTerms n = node_terms<false>(held, first, bend, rod.torsion / rod.node_length[0],
+                                        rod.natural_turning[0], 0.0, 0.0, nullptr);
   return hub.tangent.cross(n.ga) + n.spin_a * hub.tangent;
 }
 

@@ -24,10 +24,9 @@ inline double total(const RodEnergy& e) { return e.stretch + e.bending + e.twist
 RodEnergy rod_forces_into(std::vector<double>& forces, const Rod& rod, const RodState& state, const Pose& hub,
                           const Pose& tip);
 
-// The same, and matrix += factor * d^2E/d(unknown)^2. What the natural turning adds is left out of the matrix
-// alone: it is small beside the rest, and costs Newton's iteration a little speed but no accuracy. What
-// compressed edges take from the matrix counts by the share `compression`: 1 makes it the energy's exact
-// slope, which is not definite where a rod is about to give way; with 0 it is definite, and an upper bound.
+// The same, and matrix += factor * d^2E/d(unknown)^2. What compressed edges and the natural turning take from
+// the matrix counts by the share `compression`: 1 makes it the energy's exact slope, which is not definite
+// where a rod is about to give way; with 0 it is definite, and an upper bound.
 RodEnergy rod_forces_into(std::vector<double>& forces, RodMatrix& matrix, double factor, double compression,
                           const Rod& rod, const RodState& state, const Pose& hub, const Pose& tip);
 

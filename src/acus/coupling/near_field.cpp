@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "acus/numeric/elementary.h"
+#include "acus/numeric/logarithm.h"
 
 namespace acus::coupling {
 

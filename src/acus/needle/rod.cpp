@@ -72,6 +72,11 @@ RodState unloaded_rod(const Rod& rod, const Pose& hub) {
     s.director.push_back(director);
   }
   s.rate.assign(rod.unknowns(), 0.0);
+  if (rod.hub_clamped) return s;
+  // A joint lets the needle hang with its tip on the hub's axis.
+  const Vec3 chord = (s.position.back() - hub.position).normalized();
+  for (Vec3& x : s.position) x = hub.position + transported(x - hub.position, chord, hub.tangent);
+  for (Vec3& d : s.director) d = transported(d, chord, hub.tangent);
   return s;
 }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "acus/coupling/near_field.h"
-#include "acus/numeric/elementary.h"
 #include "acus/tissue/deformation.h"
 
 namespace acus {
@@ -71,9 +70,14 @@ double tip_hold(const Model& m, const State& s) {
   return rests ? m.scene.contact.stiffness : 0.0;
 }
 
+// The surface is pressed along the path, whichever way the tip points; a cut goes where it points.
+Vec3 tip_axis(const Model& m, const State& s) {
+  return s.punctured ? tangent_at(s, m.rod.edges - 1) : m.path.direction;
+}
+
 void place_tip(const Model& m, State& s) {
   const Vec3 gap = s.needle.rod.position.back() - channel_end_now(m, s);
-  const Vec3 axis = tangent_at(s, m.rod.edges - 1);
+  const Vec3 axis = tip_axis(m, s);
   if (s.tip_elongation > 0.0) return;  // the spring remembers; the cut follows
   s.tip_elongation = std::min(gap.dot(axis), 0.0);
   if (!s.punctured) s.needle.tip_offset = across(gap, axis);
@@ -83,7 +87,7 @@ RodContact tip_contact(const Model& m, const State& s) {
   RodContact c;
   c.at = &s.tip;
   c.point = {m.rod.edges - 1, 1.0};
-  c.axis = tangent_at(s, m.rod.edges - 1);
+  c.axis = tip_axis(m, s);
   c.slider = tip_slider(m, s);
   const Vec3 gap = s.needle.rod.position.back() - channel_end_now(m, s) - s.needle.tip_offset;
   c.lateral = tip_hold(m, s);
@@ -115,8 +119,17 @@ double stored(const RodContact& c, double along, const Vec3& sideways) {
   return coupling::stored_energy(c.slider, along) + 0.5 * c.lateral * sideways.squaredNorm();
 }
 
-// m, edge of the cube of which a tetrahedron is a sixth: the mesh's spacing.
-double spacing(double volume) { return numeric::cube_root(6.0 * volume); }
+// m, across the shaft: side of the square box of which a tetrahedron is a sixth, as long as it reaches along
+// the shaft.
+double spacing_across(const Model& m, int tet, const Vec3& axis) {
+  double least = 1e300, most = -1e300;
+  for (const int node : m.mesh.tets[tet]) {
+    const double along = axis.dot(m.mesh.nodes[node]);
+    least = std::min(least, along);
+    most = std::max(most, along);
+  }
+  return std::sqrt(6.0 * m.tissue.volume[tissue::lane_place(tet, 0, 1)] / (most - least));
+}
 
 // The next cell of the channel, half a cell ahead of where it begins.
 void add_cell(const Model& m, State& s, const Vec3& direction) {
@@ -131,7 +144,7 @@ void add_cell(const Model& m, State& s, const Vec3& direction) {
   const int tet = held ? held->tet : 0;
   const coupling::NearField near =
       coupling::near_field(tissue::shear_modulus(m.material()), m.scene.tissue.poisson_ratio,
-                           spacing(m.tissue.volume[tissue::lane_place(tet, 0, 1)]), m.scene.needle.radius);
+                           spacing_across(m, tet, direction), m.scene.needle.radius);
   n.cell_lateral[cell] = near.lateral;
   n.channel.stiffness[cell] = near.axial;
   ++n.channel.count;
@@ -143,16 +156,15 @@ RodPlace place_rod(const Model& m, const State& s) {
   const needle::RodState& rod = s.needle.rod;
   RodPlace place;
   place.free_length = m.scene.needle.length;
-  Vec3 from = rod.position.front(), to = rod.position.back();
+  const Vec3 from = rod.position.front(), to = entry_now(m, s);
   int last = m.rod.edges;
   if (s.punctured) {
-    const RodPoint entry = nearest_point(m, s, entry_now(m, s), m.rod.edges - 1);
+    const RodPoint entry = nearest_point(m, s, to, m.rod.edges - 1);
     const double beyond = m.scene.needle.length - arc_from_hub(m, entry);
     place.inserted_length =
         s.through ? m.path.length : std::max(beyond - std::max(s.tip_elongation, 0.0), 0.0);
     place.free_length -= std::max(beyond, 0.0);
     place.covered_depth = std::clamp(s.channel_depth + s.tip_elongation, 0.0, s.channel_depth);
-    to = needle::place_of(rod, entry);
     last = entry.edge;
   }
   const Vec3 axis = (to - from).normalized();
@@ -192,6 +204,11 @@ Vec3 rod_rate(const State& s, const RodContact& c) {
 }
 
 Vec3 tissue_rate(const State& s, const RodContact& c) { return coupling::mean(*c.at, s.velocity); }
+
+Vec3 contact_load(const RodContact& c, const Vec3& way) {
+  return coupling::advance(c.slider, way.dot(c.axis)).force * c.axis +
+         c.lateral * (c.lateral_elongation + across(way, c.axis));
+}
 
 bool correct_grips(const Model& m, const State& s, Scratch& w) {
   bool changed = false;

@@ -24,6 +24,10 @@ void touch_rod(const Model& model, State& state, Scratch& scratch);
 Vec3 rod_rate(const State& state, const RodContact& contact);
 Vec3 tissue_rate(const State& state, const RodContact& contact);
 
+// N, of the tissue's resistance to the rod after a way [m] of the rod's point against it, whatever the
+// branch. The rod feels the opposite.
+Vec3 contact_load(const RodContact& contact, const Vec3& way);
+
 // The branches that the present rates lead to. Returns whether any changed.
 bool correct_grips(const Model& model, const State& state, Scratch& scratch);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "acus/numeric/root.h"
 #include "acus/sim/rod_contact.h"
 #include "acus/sim/tissue_step.h"
 
@@ -37,12 +38,16 @@ void add_block(needle::RodMatrix& matrix, int row, int column, const Mat3& block
       if (row + r >= column + k) matrix.add(row + r, column + k, block(r, k));
 }
 
+// What may clamp a tip.
+needle::Pose stop_of(const Model& m, const needle::Pose& hub) {
+  return {m.path.entry, m.path.direction, hub.director};
+}
+
 // Newton's system of the rod at the iterate while the tissue rests and nobody holds the hub.
 void load_rod(const Model& m, const State& s, Scratch& w, const needle::Pose& hub, double compression) {
   const double h = m.scene.run.time_step;
   needle::RodMotion& motion = w.rod.motion;
-  const needle::Pose stop{m.path.entry, m.path.direction, hub.director};  // that clamps a tip may
-  needle::linearise(motion, m.rod, s.needle.rod, hub, stop, h, compression);
+  needle::linearise(motion, m.rod, s.needle.rod, hub, stop_of(m, hub), h, compression);
   for (const RodContact& c : w.rod.contacts) {
     const int a = needle::place_at(c.point.edge), b = needle::place_at(c.point.edge + 1);
     const double wa = 1.0 - c.point.along, wb = c.point.along;
@@ -83,11 +88,18 @@ void add_tissue_to(std::vector<double>& load, const Model& m, const State& s, co
   for (const RodContact& c : w.rod.contacts) add_to_rod(load, c, h * h * c.stiffness * tissue_rate(s, c));
 }
 
-// N, the largest force or moment per length of the rod that is out of balance, but for what the hub holds.
+// What the hub holds is no imbalance: all of node 0, or what is across the path.
+void leave_to_hub(const Model& m, std::vector<double>& load) {
+  const Vec3& along = m.path.direction;
+  const Vec3 free = m.grip_compliance > 0.0 ? Vec3(along.dot(three(load, 0)) * along) : Vec3(Vec3::Zero());
+  for (int k = 0; k < 3; ++k) load[k] = free[k];
+}
+
+// N, the largest force or moment per edge of the rod that is out of balance.
 double imbalance(const Model& m, const std::vector<double>& load) {
   const double arm = m.rod.edge_length.front();
   double largest = 0.0;
-  for (int i = m.grip_compliance > 0.0 ? 0 : 3; i < m.rod.unknowns(); ++i)
+  for (int i = 0; i < m.rod.unknowns(); ++i)
     largest = std::max(largest, std::abs(load[i]) / (needle::is_spin(i) ? arm : 1.0));
   return largest / m.scene.run.time_step;
 }
@@ -129,43 +141,112 @@ void load_tissue(const Model& m, const State& s, Scratch& w) {
   }
 }
 
+// The rod as it was before the last change of its rates, and `share` of that change.
+void go_part_of_the_way(const Model& m, State& s, Scratch& w, double share) {
+  s.needle.rod = w.rod.before;
+  for (int i = 0; i < m.rod.unknowns(); ++i) w.rod.motion.change[i] = share * w.rod.change[i];
+  needle::apply_change(w.rod.motion, m.rod, s.needle.rod, m.scene.run.time_step);
+}
+
+// How far to go from (velocity_tried, rod.before) towards the solution for the branches as they were: the
+// root in (0, 1] of the slope of the incremental potential on the way there, which holds the true sliders and
+// the rod's true energy; 1 when it is still falling there. Leaves the rod somewhere on the way.
+double line_search(const Model& m, State& s, Scratch& w, const needle::Pose& hub) {
+  const double h = m.scene.run.time_step;
+  needle::RodMotion& motion = w.rod.motion;
+  for (RodContact& c : w.rod.contacts) {
+    c.rate_before = of_rod(w.rod.before.rate, c);
+    c.rate_change = of_rod(w.rod.change, c);
+    if (m.rigid()) continue;
+    c.rate_before -= coupling::mean(*c.at, w.velocity_tried);
+    c.rate_change -= tissue_rate(s, c) - coupling::mean(*c.at, w.velocity_tried);
+  }
+  double tissue_slope = 0.0, tissue_curvature = 0.0;
+  if (!m.rigid()) {
+    NodeVector& change = w.right_hand_side;
+    change = s.velocity;
+    numeric::add_scaled_into(change, -1.0, w.velocity_tried);
+    tissue::multiply_into(w.product, m.tissue, w.corotation, w.matrix, w.velocity_tried);
+    tissue_slope = numeric::dot(change, w.product) - numeric::dot(change, w.momentum);
+    tissue::multiply_into(w.product, m.tissue, w.corotation, w.matrix, change);
+    tissue_curvature = numeric::dot(change, w.product);
+  }
+  const auto slope = [&](double share) {
+    go_part_of_the_way(m, s, w, share);
+    needle::rod_forces_into(motion.force, m.rod, s.needle.rod, hub, stop_of(m, hub));
+    double sum = tissue_slope + share * tissue_curvature;
+    for (int i = 0; i < m.rod.unknowns(); ++i)
+      sum += w.rod.change[i] * (needle::inertia(m.rod, i) * (s.needle.rod.rate[i] - motion.rate_before[i]) -
+                                h * motion.force[i]);
+    if (m.grip_compliance > 0.0) {
+      const double pull = m.path.direction.dot(hub.position - s.needle.rod.position[0]) / m.grip_compliance;
+      sum -= h * pull * m.path.direction.dot(three(w.rod.change, 0));
+    }
+    for (const RodContact& c : w.rod.contacts)
+      sum += h * c.rate_change.dot(contact_load(c, h * (c.rate_before + share * c.rate_change)));
+    return sum;
+  };
+  if (slope(1.0) <= 0.0 || slope(0.0) >= 0.0) return 1.0;
+  constexpr double resolution = 1e-4;
+  return numeric::bracketed_root(slope, 0.0, 1.0, resolution);
+}
+
+// One step of Newton's method for rod and tissue on the present branches. False when the solve fails.
+bool improve(const Model& m, State& s, Scratch& w, RodOutcome& outcome) {
+  needle::RodMotion& motion = w.rod.motion;
+  if (!m.rigid()) {
+    w.rod.free_answer = motion.residual;
+    motion.matrix.solve(w.rod.free_answer.data());
+    load_tissue(m, s, w);
+    const double norm = std::sqrt(numeric::dot(w.right_hand_side, w.right_hand_side));
+    const numeric::CgOutcome solve =
+        numeric::solve_refined_into(s.velocity, w.right_hand_side, m.scene.run.solver_tolerance * norm,
+                                    max_iterations, w.solver, Product{m, w}, preconditioner(m, w));
+    outcome.iterations += solve.iterations;
+    if (solve.broke_down || solve.iterations >= max_iterations) return false;
+  }
+  w.rod.change = motion.residual;
+  add_tissue_to(w.rod.change, m, s, w);
+  motion.matrix.solve(w.rod.change.data());
+  return true;
+}
+
 }  // namespace
 
 RodOutcome solve_with_rod(const Model& m, State& s, Scratch& w, const needle::Pose& hub) {
   const double h = m.scene.run.time_step;
   RodOutcome outcome;
   needle::RodMotion& motion = w.rod.motion;
+  const bool grip = m.grip_compliance > 0.0;
   needle::Pose first = hub;  // of the iterate
-  if (m.grip_compliance > 0.0) first.position = s.needle.rod.position[0] + h * three(s.needle.rod.rate, 0);
+  if (grip) first.position = s.needle.rod.position[0] + h * three(s.needle.rod.rate, 0);
   needle::begin_step(motion, m.rod, s.needle.rod, first, h);
   bool settled = false;
   for (int pass = 0; pass < max_passes; ++pass) {
     if (!factor_rod(m, s, w, hub)) break;
     motion.change = motion.residual;
     add_tissue_to(motion.change, m, s, w);
+    const Vec3 at_hub = three(motion.change, 0);
+    leave_to_hub(m, motion.change);
     if (settled && imbalance(m, motion.change) <= force_error) {
-      outcome.hub_force = -three(motion.change, 0) / h;
-      if (m.grip_compliance > 0.0)
-        outcome.hub_force = m.path.direction.dot(hub.position - s.needle.rod.position[0]) /
-                            m.grip_compliance * m.path.direction;
+      const double pull =
+          grip ? m.path.direction.dot(hub.position - s.needle.rod.position[0]) / m.grip_compliance : 0.0;
+      outcome.hub_force = grip ? Vec3(pull * m.path.direction) : Vec3(-at_hub / h);
       return outcome;
     }
-    if (!m.rigid()) {
-      w.rod.free_answer = motion.residual;
-      motion.matrix.solve(w.rod.free_answer.data());
-      load_tissue(m, s, w);
-      const double norm = std::sqrt(numeric::dot(w.right_hand_side, w.right_hand_side));
-      const numeric::CgOutcome solve =
-          numeric::solve_refined_into(s.velocity, w.right_hand_side, m.scene.run.solver_tolerance * norm,
-                                      max_iterations, w.solver, Product{m, w}, preconditioner(m, w));
-      outcome.iterations += solve.iterations;
-      if (solve.broke_down || solve.iterations >= max_iterations) break;
-      motion.change = motion.residual;
-      add_tissue_to(motion.change, m, s, w);
-    }
-    motion.matrix.solve(motion.change.data());
-    needle::apply_change(motion, m.rod, s.needle.rod, h);
+    if (!m.rigid()) w.velocity_tried = s.velocity;
+    w.rod.before = s.needle.rod;
+    if (!improve(m, s, w, outcome)) break;
+    go_part_of_the_way(m, s, w, 1.0);
     settled = !correct_grips(m, s, w);
+    if (settled) continue;
+    const double share = line_search(m, s, w, hub);
+    go_part_of_the_way(m, s, w, share);
+    if (!m.rigid() && share < 1.0) {
+      numeric::scale_and_add_into(s.velocity, share, w.velocity_tried);
+      numeric::add_scaled_into(s.velocity, -share, w.velocity_tried);
+    }
+    correct_grips(m, s, w);
   }
   outcome.broke_down = true;
   return outcome;
@@ -175,7 +256,7 @@ double hub_stiffness(const Model& m, const State& s, Scratch& w) {
   const double h = m.scene.run.time_step;
   needle::RodMotion& motion = w.rod.motion;
   const Vec3& along = m.path.direction;
-  load_rod(m, s, w, hub_pose(m, s.hub_travel), 0.0);
+  load_rod(m, s, w, hub_pose(m, s.hub_travel), 1.0);
   // The hub's column of the matrix: what the rod is asked when node 0 goes along the path at unit rate.
   std::vector<double>& hub_column = motion.residual;
   std::fill(hub_column.begin(), hub_column.end(), 0.0);

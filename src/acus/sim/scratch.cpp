@@ -8,7 +8,8 @@ Scratch build_scratch(const Model& m) {
     w.rod.motion = needle::build_rod_motion(m.rod);
     w.rod.contacts.reserve(static_cast<std::size_t>(m.most_cells()) + 1);
     w.rod.free_answer.assign(m.rod.unknowns(), 0.0);
-    w.rod.load = w.rod.free_answer;
+    w.rod.load = w.rod.change = w.rod.free_answer;
+    w.rod.before = needle::unloaded_rod(m.rod, {});
   }
   if (m.rigid()) return w;
   w.corotation = tissue::build_corotation(m.tissue);

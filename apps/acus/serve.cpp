@@ -10,7 +10,6 @@
 #include "acus/io/insertion.h"
 #include "acus/io/scene_toml.h"
 #include "interruption.h"
-#include "recording.h"
 #include "studio/studio_server.h"
 #include "verbs.h"
 
@@ -31,7 +30,6 @@ void open_in_browser(const std::string& address) {
 struct Served {
   std::string words;  // about the device, where there is one
   std::unique_ptr<Engine> engine;
-  std::unique_ptr<haptics::Recorder> recorder;
 };
 
 // A page leads the hand.
@@ -49,16 +47,13 @@ Result<Served> serve_device(const Scene& scene, const ServeOptions& options) {
   const haptics::DeviceLimits& limits = opened->device->limits();
   Result<Simulation> simulation = io::build_simulation(haptics::held_by(limits, scene));
   if (!simulation) return Error{options.scene + ": " + simulation.error().sentence};
-  Result<std::unique_ptr<haptics::Recorder>> recorder =
-      start_recorder(options.record_given, options.record, simulation->scene());
-  if (!recorder) return recorder.error();
   Served served;
   served.words =
       limits.title + " (" + opened->by->proof +
       ") shows the needle now; it is felt from 5 mm ahead of where the handle is when it becomes ready.\n";
-  served.recorder = std::move(*recorder);
-  served.engine = device_engine(std::move(opened).value(), std::move(simulation).value(),
-                                {options.force_limit, served.recorder.get()});
+  served.engine = device_engine(
+      std::move(opened).value(), std::move(simulation).value(),
+      {options.force_limit, options.record_given ? std::optional(options.record) : std::nullopt});
   return served;
 }
 

@@ -155,6 +155,25 @@ TEST(WebServer, answers_a_get) {
   EXPECT_NE(not_there.read_to("\r\n\r\n").find("404"), std::string::npos);
 }
 
+// Whatever a client does without end, the server's side of it ends.
+TEST(WebServer, is_not_kept_by_a_client_that_goes_on_shouting) {
+  for (const std::string& shout : {text_frame("leave"), text_frame("shout"), ping_frame()}) {
+    auto server = start(echo());
+    std::thread shouting([&shout, port = server->port()] {
+      const RawSocket raw(port);
+      raw.write(socket_request(port, ""));
+      raw.read_to("\r\n\r\n");
+      std::string breath;
+      for (int i = 0; i < 1000; ++i) breath += shout;
+      while (raw.sends(breath)) {
+      }
+    });
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    server.reset();
+    shouting.join();
+  }
+}
+
 // Limits, each just kept and just not.
 TEST(WebServer, takes_heads_of_sixteen_kilobytes_and_no_more) {
   const auto server = start(echo());

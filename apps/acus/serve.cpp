@@ -1,4 +1,5 @@
 // acus serve: the studio on this machine, and a device at the needle where one is named.
+#include <fcntl.h>
 #include <spawn.h>
 
 #include <cstdio>
@@ -18,13 +19,24 @@ extern char** environ;
 namespace acus::app {
 namespace {
 
-// On a desktop the browser opens by itself.
+// On a desktop the browser opens by itself. It lives on when we end: it gets nothing of ours, neither the
+// port nor the connection to a device, and Ctrl-C is not for it.
 void open_in_browser(const std::string& address) {
   if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
   std::string program = "xdg-open", target = address;
   char* words[] = {program.data(), target.data(), nullptr};
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  for (int standard = 0; standard < 3; ++standard)
+    posix_spawn_file_actions_addopen(&files, standard, "/dev/null", O_RDWR, 0);
+  posix_spawn_file_actions_addclosefrom_np(&files, 3);
+  posix_spawnattr_t session;
+  posix_spawnattr_init(&session);
+  posix_spawnattr_setflags(&session, POSIX_SPAWN_SETSID);
   pid_t child = 0;
-  posix_spawnp(&child, words[0], nullptr, nullptr, words, environ);
+  posix_spawnp(&child, words[0], &files, &session, words, environ);
+  posix_spawnattr_destroy(&session);
+  posix_spawn_file_actions_destroy(&files);
 }
 
 struct Served {

@@ -2,7 +2,6 @@
 // operation is begun and the context of its connection is run until it is done or patience has ended.
 #include "acus/net/web_socket.h"
 
-#include <fcntl.h>
 #include <sys/resource.h>
 
 #include <atomic>
@@ -195,8 +194,6 @@ struct WebServer::Listener {
     beast::error_code error;
     acceptor.open(here.protocol(), error);
     if (!error) acceptor.set_option(asio::socket_base::reuse_address(true), error);
-    // No program that we start, a browser for one, keeps the port when we are gone.
-    if (!error) fcntl(acceptor.native_handle(), F_SETFD, FD_CLOEXEC);
     if (!error) acceptor.bind(here, error);
     if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
     if (!error) port = acceptor.local_endpoint(error).port();

@@ -6,6 +6,7 @@
 namespace acus::numeric {
 
 // Lane-wise + - * / only; a sum over lanes is always written out in one fixed order.
+using Lane2 = double __attribute__((vector_size(16)));
 using Lane4 = double __attribute__((vector_size(32)));
 using Lane8 = double __attribute__((vector_size(64)));
 using Lane4f = float __attribute__((vector_size(16)));
@@ -51,7 +52,6 @@ ACUS_INLINE NodeLane<Real> load4(const Real* p) {
 }
 // Three numbers and a zero.
 ACUS_INLINE Lane4 load3(const double* p) {
-  using Lane2 = double __attribute__((vector_size(16)));
   Lane2 xy;
   std::memcpy(&xy, p, sizeof xy);
   return __builtin_shufflevector(xy, Lane2{p[2], 0.0}, 0, 1, 2, 3);

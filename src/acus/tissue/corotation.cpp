@@ -10,27 +10,27 @@ namespace acus::tissue {
 namespace {
 
 using numeric::Lane4;
-using numeric::Lane8;
-using numeric::load_lanes;
 using numeric::node_stride;
 
-// Eight elements side by side. Matrices are column by column: entry (r, c) at 3 c + r.
-struct Batch {
-  Lane8 g[9];         // gradients g_1, g_2, g_3, 1/m
-  Lane8 f[9];         // deformation gradient
-  Lane8 r[9];         // rotation
-  Lane8 q[9];         // R g_i of corners 1 to 3, 1/m
-  Lane8 force[4][4];  // N, corner by corner; beside it the share V tr(e) / 4 of the nodes' mean dilations
-  Lane8 energy;       // J
+using Lane = ExactLane;
+constexpr int width = lanes_in<double, Lane>;  // elements in a part
+constexpr int parts = lanes / width;           // parts in a batch of eight elements
+
+// Elements side by side. Matrices are column by column: entry (r, c) at 3 c + r.
+struct Part {
+  Lane g[9];         // gradients g_1, g_2, g_3, 1/m
+  Lane f[9];         // deformation gradient
+  Lane r[9];         // rotation
+  Lane force[4][4];  // N, corner by corner; beside it the share V tr(e) / 4 of the nodes' mean dilations
+  Lane energy;       // J
 };
 
-ACUS_INLINE void gather(Batch& b, const TissueModel& m, std::size_t first, const Vec3* x) {
-  std::memcpy(b.g, &m.gradient[9 * first], sizeof b.g);
-  const mesh::Tet* corners = m.corners.data() + first;
-  Lane8 origin[4], corner[4], edge[9];
+ACUS_INLINE void gather(Part& b, const double* gradient, const mesh::Tet* corners, const Vec3* x) {
+  for (int k = 0; k < 9; ++k) b.g[k] = load_part<Lane>(gradient + k * lanes);
+  Lane origin[4], corner[4], edge[9];
   for (int i = 0; i < 4; ++i) {
-    Lane4 node[lanes] = {};
-    for (int l = 0; l < lanes; ++l) node[l] = numeric::load3(x[corners[l][i]].data());
+    Lane4 node[width] = {};
+    for (int l = 0; l < width; ++l) node[l] = numeric::load3(x[corners[l][i]].data());
     into_lanes(i == 0 ? origin : corner, node);
     if (i > 0)
       for (int c = 0; c < 3; ++c) edge[3 * (i - 1) + c] = corner[c] - origin[c];
@@ -40,68 +40,77 @@ ACUS_INLINE void gather(Batch& b, const TissueModel& m, std::size_t first, const
       b.f[3 * d + c] = edge[c] * b.g[d] + edge[3 + c] * b.g[3 + d] + edge[6 + c] * b.g[6 + d];
 }
 
-ACUS_INLINE int rotate(Batch& b) {
-  Lane8 first_determinant{}, change{}, determinant{}, norm_squared{};
-  for (int i = 0; i < 9; ++i) {
-    b.r[i] = b.f[i];
-    norm_squared += b.f[i] * b.f[i];
-  }
+// The rotations of a batch, by as many corrections as its slowest element needs. Returns for how many they
+// failed and were made up for.
+ACUS_INLINE int rotate(Part* batch) {
+  Lane first_determinant[parts]{}, change[parts]{}, norm_squared[parts]{};
+  for (int p = 0; p < parts; ++p)
+    for (int i = 0; i < 9; ++i) {
+      batch[p].r[i] = batch[p].f[i];
+      norm_squared[p] += batch[p].f[i] * batch[p].f[i];
+    }
   for (int step = 0; step < numeric::newton_polar_max_steps; ++step) {
-    change = numeric::newton_polar_step(b.r, determinant);
-    if (step == 0) first_determinant = determinant;
     bool all = true;
-    for (int l = 0; l < lanes; ++l) all = all && change[l] < numeric::newton_polar_converged;
+    for (int p = 0; p < parts; ++p) {
+      Lane determinant{};
+      change[p] = numeric::newton_polar_step(batch[p].r, determinant);
+      if (step == 0) first_determinant[p] = determinant;
+      for (int l = 0; l < width; ++l) all = all && change[p][l] < numeric::newton_polar_converged;
+    }
     if (all) break;
   }
   int failures = 0;
-  for (int l = 0; l < lanes; ++l) {
-    if (change[l] < numeric::newton_polar_converged &&
-        numeric::newton_polar_holds(first_determinant[l], norm_squared[l]))
-      continue;
-    Mat3 F;
-    for (int i = 0; i < 9; ++i) F.data()[i] = b.f[i][l];
-    const Mat3 R = F.allFinite() ? numeric::rotation_of(F) : Mat3(Mat3::Identity());
-    for (int i = 0; i < 9; ++i) b.r[i][l] = R.data()[i];
-    ++failures;
-  }
+  for (int p = 0; p < parts; ++p)
+    for (int l = 0; l < width; ++l) {
+      if (change[p][l] < numeric::newton_polar_converged &&
+          numeric::newton_polar_holds(first_determinant[p][l], norm_squared[p][l]))
+        continue;
+      Mat3 F;
+      for (int i = 0; i < 9; ++i) F.data()[i] = batch[p].f[i][l];
+      const Mat3 R = F.allFinite() ? numeric::rotation_of(F) : Mat3(Mat3::Identity());
+      for (int i = 0; i < 9; ++i) batch[p].r[i][l] = R.data()[i];
+      ++failures;
+    }
   return failures;
 }
 
 // out_i = M v_i for three vectors side by side.
-ACUS_INLINE void turn(Lane8* out, const Lane8* matrix, const Lane8* v) {
+ACUS_INLINE void turn(Lane* out, const Lane* matrix, const Lane* v) {
   for (int i = 0; i < 3; ++i)
     for (int c = 0; c < 3; ++c)
       out[3 * i + c] = matrix[c] * v[3 * i] + matrix[3 + c] * v[3 * i + 1] + matrix[6 + c] * v[3 * i + 2];
 }
 
 // What corners 1 to 3 get, corner 0 gives.
-ACUS_INLINE void give_to_corners(Lane8 (*force)[4], const Lane8* given) {
+ACUS_INLINE void give_to_corners(Lane (*force)[4], const Lane* given) {
   for (int c = 0; c < 3; ++c) {
     for (int i = 0; i < 3; ++i) force[i + 1][c] = given[3 * i + c];
     force[0][c] = -(given[c] + given[3 + c] + given[6 + c]);
   }
 }
 
-ACUS_INLINE void respond(Batch& b, Lane8 volume, Lane8 mu, Lane8 lambda) {
-  turn(b.q, b.r, b.g);
-  Lane8 stretch[9];  // R^T F
+ACUS_INLINE void respond(Part& b, double* rotated_gradient, Lane volume, Lane mu, Lane lambda) {
+  Lane q[9];  // R g_i of corners 1 to 3, 1/m
+  turn(q, b.r, b.g);
+  for (int k = 0; k < 9; ++k) std::memcpy(rotated_gradient + k * lanes, &q[k], sizeof q[k]);
+  Lane stretch[9];  // R^T F
   for (int j = 0; j < 3; ++j)
     for (int i = 0; i < 3; ++i)
       stretch[3 * j + i] =
           b.r[3 * i] * b.f[3 * j] + b.r[3 * i + 1] * b.f[3 * j + 1] + b.r[3 * i + 2] * b.f[3 * j + 2];
-  const Lane8 xx = stretch[0] - 1.0, yy = stretch[4] - 1.0, zz = stretch[8] - 1.0;
-  const Lane8 xy = 0.5 * (stretch[1] + stretch[3]);
-  const Lane8 xz = 0.5 * (stretch[2] + stretch[6]);
-  const Lane8 yz = 0.5 * (stretch[5] + stretch[7]);
-  const Lane8 trace = xx + yy + zz;
+  const Lane xx = stretch[0] - 1.0, yy = stretch[4] - 1.0, zz = stretch[8] - 1.0;
+  const Lane xy = 0.5 * (stretch[1] + stretch[3]);
+  const Lane xz = 0.5 * (stretch[2] + stretch[6]);
+  const Lane yz = 0.5 * (stretch[5] + stretch[7]);
+  const Lane trace = xx + yy + zz;
   b.energy = volume * (mu * (xx * xx + yy * yy + zz * zz + 2.0 * (xy * xy + xz * xz + yz * yz)) +
                        0.5 * lambda * trace * trace);
-  const Lane8 minus_two_mu_v = -2.0 * mu * volume;
-  const Lane8 p = -lambda * trace * volume;
-  const Lane8 s[9] = {minus_two_mu_v * xx + p, minus_two_mu_v * xy,     minus_two_mu_v * xz,
-                      minus_two_mu_v * xy,     minus_two_mu_v * yy + p, minus_two_mu_v * yz,
-                      minus_two_mu_v * xz,     minus_two_mu_v * yz,     minus_two_mu_v * zz + p};  // -V sigma
-  Lane8 rotated[9], given[9];
+  const Lane minus_two_mu_v = -2.0 * mu * volume;
+  const Lane p = -lambda * trace * volume;
+  const Lane s[9] = {minus_two_mu_v * xx + p, minus_two_mu_v * xy,     minus_two_mu_v * xz,
+                     minus_two_mu_v * xy,     minus_two_mu_v * yy + p, minus_two_mu_v * yz,
+                     minus_two_mu_v * xz,     minus_two_mu_v * yz,     minus_two_mu_v * zz + p};  // -V sigma
+  Lane rotated[9], given[9];
   turn(rotated, b.r, s);
   turn(given, rotated, b.g);
   give_to_corners(b.force, given);
@@ -110,13 +119,19 @@ ACUS_INLINE void respond(Batch& b, Lane8 volume, Lane8 mu, Lane8 lambda) {
 
 ACUS_KERNEL void corotate_elements(Corotation& out, const TissueModel& m, const Vec3* x) {
   for (std::size_t first = 0; first < m.corners.size(); first += lanes) {
-    Batch b;
-    gather(b, m, first, x);
-    out.newton_failures += rotate(b);
-    respond(b, load_lanes(&m.volume[first]), load_lanes(&m.shear[first]), load_lanes(&m.local_lambda[first]));
-    std::memcpy(&out.rotated_gradient[9 * first], b.q, sizeof b.q);
-    for (int i = 0; i < 4; ++i) add_corner(out.elastic_force.data(), m.offsets.data() + first, i, b.force[i]);
-    for (int l = 0; l < lanes; ++l) out.energy += b.energy[l];
+    Part batch[parts];
+    for (int p = 0; p < parts; ++p)
+      gather(batch[p], &m.gradient[9 * first + p * width], m.corners.data() + first + p * width, x);
+    out.newton_failures += rotate(batch);
+    BatchSum<double, Lane> sum(out.elastic_force.data(), m.offsets.data() + first);
+    for (int p = 0; p < parts; ++p) {
+      const std::size_t at = first + p * width;
+      respond(batch[p], &out.rotated_gradient[9 * first + p * width], load_part<Lane>(&m.volume[at]),
+              load_part<Lane>(&m.shear[at]), load_part<Lane>(&m.local_lambda[at]));
+      for (int i = 0; i < 4; ++i) sum.take(p, i, batch[p].force[i]);
+      for (int l = 0; l < width; ++l) out.energy += batch[p].energy[l];
+    }
+    sum.finish();
   }
 }
 
@@ -127,13 +142,19 @@ ACUS_KERNEL void add_nodal_pressure(Corotation& out, const TissueModel& m) {
     out.energy += 0.5 * m.node_bulk_modulus[a] * m.node_volume[a] * out.dilation[a] * out.dilation[a];
   }
   for (std::size_t first = 0; first < m.corners.size(); first += lanes) {
-    Lane8 sum{}, given[9], force[4][4] = {};
-    for (int l = 0; l < lanes; ++l)
-      for (int node : m.corners[first + l]) sum[l] += m.node_bulk_modulus[node] * out.dilation[node];
-    const Lane8 factor = -0.25 * load_lanes(&m.volume[first]) * sum;
-    for (int k = 0; k < 9; ++k) given[k] = factor * load_lanes(&out.rotated_gradient[9 * first + k * lanes]);
-    give_to_corners(force, given);
-    for (int i = 0; i < 4; ++i) add_corner(out.elastic_force.data(), m.offsets.data() + first, i, force[i]);
+    BatchSum<double, Lane> sum(out.elastic_force.data(), m.offsets.data() + first);
+    for (int p = 0; p < parts; ++p) {
+      const std::size_t at = first + p * width;
+      Lane pressure{}, given[9], force[4][4] = {};
+      for (int l = 0; l < width; ++l)
+        for (int node : m.corners[at + l]) pressure[l] += m.node_bulk_modulus[node] * out.dilation[node];
+      const Lane factor = -0.25 * load_part<Lane>(&m.volume[at]) * pressure;
+      for (int k = 0; k < 9; ++k)
+        given[k] = factor * load_part<Lane>(&out.rotated_gradient[9 * first + p * width + k * lanes]);
+      give_to_corners(force, given);
+      for (int i = 0; i < 4; ++i) sum.take(p, i, force[i]);
+    }
+    sum.finish();
   }
 }
 

@@ -106,15 +106,34 @@ ACUS_INLINE void into_lanes(numeric::Lane4f* out, const numeric::Lane4f* node) {
 }
 ACUS_INLINE void out_of_lanes(numeric::Lane4f* node, const numeric::Lane4f* in) { into_lanes(node, in); }
 
-// The floats that a kernel works on at once: all sixteen of a batch, or four where registers hold no more and
-// are so few that sixteen would be kept in memory.
+// Two doubles.
+ACUS_INLINE void into_lanes(numeric::Lane2* out, const numeric::Lane4* node) {
+  out[0] = __builtin_shufflevector(node[0], node[1], 0, 4);
+  out[1] = __builtin_shufflevector(node[0], node[1], 1, 5);
+  out[2] = __builtin_shufflevector(node[0], node[1], 2, 6);
+  out[3] = __builtin_shufflevector(node[0], node[1], 3, 7);
+}
+ACUS_INLINE void out_of_lanes(numeric::Lane4* node, const numeric::Lane2* in) {
+  for (int l = 0; l < 2; ++l) node[l] = numeric::Lane4{in[0][l], in[1][l], in[2][l], in[3][l]};
+}
+
+// The numbers that a kernel works on at once: all of a batch, or as many as fill one register where registers
+// are so few that a batch would be kept in memory.
 #ifdef __wasm_simd128__
 using PackedLane = numeric::Lane4f;
+using ExactLane = numeric::Lane2;
 #else
 using PackedLane = numeric::Lane16f;
+using ExactLane = numeric::Lane8;
 #endif
 template <class Real, class Lane>
 inline constexpr int lanes_in = sizeof(Lane) / sizeof(Real);
+template <class Lane, class Real>
+ACUS_INLINE Lane load_part(const Real* p) {
+  Lane lane;
+  std::memcpy(&lane, p, sizeof lane);
+  return lane;
+}
 
 // Corner `i` of the elements, from and to a field of padded node vectors: four numbers each. `offsets` are
 // those of TissueModel.

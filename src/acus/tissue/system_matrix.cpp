@@ -13,28 +13,33 @@ using numeric::load_lanes;
 using numeric::node_stride;
 using numeric::store4;
 
-// Numbers of eight elements, straight from where they are kept.
+// Numbers of eight elements, straight from where they are kept, part by part.
 class ExactElements {
  public:
   using Real = double;
-  using Lane = numeric::Lane8;
+  using Lane = ExactLane;
   ACUS_INLINE ExactElements(const TissueModel& m, const Corotation& corotation, double factor)
       : gradient_(corotation.rotated_gradient.data()),
         volume_(m.volume.data()),
         shear_(m.shear.data()),
         lambda_(m.local_lambda.data()),
         factor_(factor) {}
-  ACUS_INLINE void go_to(std::size_t first, int) { first_ = first; }
+  ACUS_INLINE void go_to(std::size_t first, int part) {
+    const int skipped = part * lanes_in<Real, Lane>;
+    batch_ = gradient_ + 9 * first + skipped;
+    first_ = first + skipped;
+  }
   // q_1, q_2, q_3, component by component
-  ACUS_INLINE numeric::Lane8 q(int k) const { return load_lanes(gradient_ + 9 * first_ + k * lanes); }
-  ACUS_INLINE numeric::Lane8 mu_v() const { return factor_ * load_lanes(shear_ + first_) * volume(); }
-  ACUS_INLINE numeric::Lane8 lambda_v() const { return factor_ * load_lanes(lambda_ + first_) * volume(); }
-  ACUS_INLINE numeric::Lane8 quarter_v() const { return 0.25 * volume(); }
+  ACUS_INLINE Lane q(int k) const { return load_part<Lane>(batch_ + k * lanes); }
+  ACUS_INLINE Lane mu_v() const { return factor_ * load_part<Lane>(shear_ + first_) * volume(); }
+  ACUS_INLINE Lane lambda_v() const { return factor_ * load_part<Lane>(lambda_ + first_) * volume(); }
+  ACUS_INLINE Lane quarter_v() const { return 0.25 * volume(); }
 
  private:
-  ACUS_INLINE numeric::Lane8 volume() const { return load_lanes(volume_ + first_); }
+  ACUS_INLINE Lane volume() const { return load_part<Lane>(volume_ + first_); }
   const double *gradient_, *volume_, *shear_, *lambda_;
   double factor_;
+  const double* batch_ = nullptr;
   std::size_t first_ = 0;
 };
 
@@ -47,11 +52,7 @@ class PackedElements {
   ACUS_INLINE void go_to(std::size_t first, int part) {
     first_ = element_ + first * element_numbers + part * lanes_in<Real, Lane>;
   }
-  ACUS_INLINE Lane q(int k) const {
-    Lane lane;
-    std::memcpy(&lane, first_ + k * padding, sizeof lane);
-    return lane;
-  }
+  ACUS_INLINE Lane q(int k) const { return load_part<Lane>(first_ + k * padding); }
   ACUS_INLINE Lane mu_v() const { return q(9); }
   ACUS_INLINE Lane lambda_v() const { return q(10); }
   ACUS_INLINE Lane quarter_v() const { return q(11); }
@@ -174,18 +175,21 @@ ACUS_KERNEL void react_packed(const SystemMatrix& a, const TissueModel& m) {
 }
 
 ACUS_KERNEL void pack_elements(SystemMatrix& out, const TissueModel& m, const Corotation& corotation) {
+  using Lane = ExactElements::Lane;
+  constexpr int width = lanes_in<double, Lane>;
   ExactElements from(m, corotation, out.stiffness_factor);
-  for (std::size_t first = 0; first < m.offsets.size(); first += lanes) {
-    from.go_to(first, 0);
-    float* to = &out.element[first / padding * padding * element_numbers + first % padding];
-    const auto pack = [&](int k, numeric::Lane8 value) {
-      for (int l = 0; l < lanes; ++l) to[k * padding + l] = static_cast<float>(value[l]);
-    };
-    for (int k = 0; k < 9; ++k) pack(k, from.q(k));
-    pack(9, from.mu_v());
-    pack(10, from.lambda_v());
-    pack(11, from.quarter_v());
-  }
+  for (std::size_t first = 0; first < m.offsets.size(); first += lanes)
+    for (int part = 0; part < lanes / width; ++part) {
+      from.go_to(first, part);
+      float* to = &out.element[first / padding * padding * element_numbers + first % padding + part * width];
+      const auto pack = [&](int k, Lane value) {
+        for (int l = 0; l < width; ++l) to[k * padding + l] = static_cast<float>(value[l]);
+      };
+      for (int k = 0; k < 9; ++k) pack(k, from.q(k));
+      pack(9, from.mu_v());
+      pack(10, from.lambda_v());
+      pack(11, from.quarter_v());
+    }
 }
 
 // y = mass x + reaction

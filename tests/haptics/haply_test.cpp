@@ -245,6 +245,7 @@ TEST(HaplyEmulatorItself, obeys_only_the_words_of_its_version) {
       ASSERT_EQ((*socket)->receive(message, 5.0), net::WebSocket::Received::message);
     }
     ASSERT_EQ(service->commands().size(), 1U);
+    EXPECT_EQ(service->came(), 1);
     EXPECT_EQ(service->commands()[0].force, Vec3(1.0, 2.0, 3.0));
   }
 }

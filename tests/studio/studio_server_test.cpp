@@ -110,6 +110,17 @@ TEST(StudioServer, shuts_the_door_on_a_page_that_shouts) {
   EXPECT_FALSE(std::isnan(quiet.number(0)));
 }
 
+TEST(StudioServer, takes_a_long_message_and_not_many) {
+  const Running server(led_engine(bare_column()));
+  Page page(server);
+  const json question = {{"type", "check"}, {"scene", std::string(900'000, '#')}};
+  EXPECT_TRUE(page.say(question));
+  page.next("expectation");
+  for (int i = 0; i < 100; ++i)
+    if (!page.say(question)) break;
+  EXPECT_TRUE(page.closed());
+}
+
 TEST(StudioServer, counts_pings_as_messages) {
   const Running server(led_engine(bare_column()));
   const net::RawSocket raw(server.port());

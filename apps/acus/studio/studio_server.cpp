@@ -14,9 +14,10 @@
 namespace acus::app {
 namespace {
 
-constexpr double patience = 5.0;        // s, with a client that does not read
-constexpr double between_looks = 4e-3;  // s
-constexpr int most_messages = 200;      // a second, of one client
+constexpr double patience = 5.0;                 // s, with a client that does not read
+constexpr double between_looks = 4e-3;           // s
+constexpr int most_messages = 200;               // a second, of one client
+constexpr std::size_t worth_a_message = 10'000;  // bytes: whoever sends long ones may send fewer
 constexpr double between_answers =
     0.05;  // s: to foretell takes milliseconds, and who drags a slider asks often
 
@@ -106,10 +107,12 @@ void StudioServer::serve(net::WebSocket& client, const std::function<bool()>& st
   bool there = visit.say(view::hello_report("serve", engine_.device()));
   while (there && !stopping()) {
     const net::WebSocket::Received received = client.receive(message, between_looks);
+    const bool told = received == net::WebSocket::Received::message;
     const double now = haptics::monotonic_time();
-    there = received != net::WebSocket::Received::closed &&
-            allowance.take(client.heard() - std::exchange(heard, client.heard()), now) &&
-            (received == net::WebSocket::Received::nothing || hear(visit, message)) && foretell(visit);
+    const long messages = client.heard() - std::exchange(heard, client.heard()),
+               parts = told ? static_cast<long>(message.size() / worth_a_message) : 0;
+    there = received != net::WebSocket::Received::closed && allowance.take(messages + parts, now) &&
+            (!told || hear(visit, message)) && foretell(visit);
     for (const Broadcast::Report& report : broadcast_.reports_since(place))
       there = there && visit.say(*report);
     if (const auto status = broadcast_.status_since(place))

@@ -13,6 +13,8 @@
 #include <thread>
 
 #include "acus/haptics/pace.h"
+#include "acus/haptics/simulated_device.h"
+#include "acus/haptics/virtual_coupling.h"
 #include "studio/studio_server.h"
 
 namespace acus::app {
@@ -25,6 +27,20 @@ inline Scene bare_column() {
   scene.tissue.rigid = true;
   scene.needle.length = 0.2;
   return scene;
+}
+
+// A hand that goes in until the column bends, and out again, every two seconds: where a busy machine has cost
+// the force, it can be armed again.
+inline std::unique_ptr<Engine> engine_with_device(const DeviceSettings& settings) {
+  const haptics::DeviceLimits& touch = *haptics::find_device_limits("touch");
+  haptics::OpenDevice device{&haptics::backends()[0], std::make_unique<haptics::SimulatedDevice>(
+                                                          touch, haptics::light_grip, [](double time) {
+                                                            constexpr double way = 20e-3,
+                                                                             turn = 3.14;  // m, 1/s
+                                                            return 0.5 * way * (1.0 - std::cos(turn * time));
+                                                          })};
+  return device_engine(std::move(device), Simulation::build(haptics::held_by(touch, bare_column())).value(),
+                       settings);
 }
 
 // Of the address that it prints.

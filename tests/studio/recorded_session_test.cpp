@@ -6,8 +6,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "acus/haptics/simulated_device.h"
-#include "acus/haptics/virtual_coupling.h"
 #include "acus/io/recording.h"
 #include "acus/io/replay.h"
 #include "page.h"
@@ -27,16 +25,8 @@ class RecordedSession : public testing::Test {
 
   std::string file(const std::string& name) const { return (folder_ / name).string(); }
 
-  // A hand that pushes the column until it bends, and stays there.
   std::unique_ptr<Engine> recording_into(const std::string& name) const {
-    const haptics::DeviceLimits& touch = *haptics::find_device_limits("touch");
-    haptics::OpenDevice device{
-        &haptics::backends()[0],
-        std::make_unique<haptics::SimulatedDevice>(touch, haptics::light_grip, [](double time) {
-          return std::clamp(40e-3 * (time - 0.8), 0.0, 20e-3);
-        })};
-    return device_engine(std::move(device), Simulation::build(haptics::held_by(touch, bare_column())).value(),
-                         {0.0, file(name)});
+    return engine_with_device({0.0, file(name)});
   }
 
  private:

@@ -18,8 +18,7 @@ constexpr double patience = 5.0;                 // s, with a client that does n
 constexpr double between_looks = 4e-3;           // s
 constexpr int most_messages = 200;               // a second, of one client
 constexpr std::size_t worth_a_message = 10'000;  // bytes: whoever sends long ones may send fewer
-constexpr double between_answers =
-    0.05;  // s: to foretell takes milliseconds, and who drags a slider asks often
+constexpr double between_answers = 0.05;         // s: to foretell what comes of a scene takes milliseconds
 
 // How many messages a client may still send: refilled as time goes by.
 class Allowance {

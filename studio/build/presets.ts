@@ -41,6 +41,7 @@ const merged = (base: TomlTable, more: TomlTable): TomlTable => {
 
 interface Study {
   title: string;
+  text: string;
   scene: TomlTable;
   run?: TomlTable[];
   axes?: Record<string, Record<string, TomlValue[]>>;
@@ -49,22 +50,22 @@ const study = (file: string) => parse(read(`studies/${file}.toml`)) as unknown a
 
 // One preset a run of a study that lists its runs.
 function listedRuns(file: string, group: string, titles: Record<string, string>): Built[] {
-  const { title, scene, run = [] } = study(file);
+  const { text, scene, run = [] } = study(file);
   return run.map((one) => {
     const { name, ...settings } = one;
-    return { id: `${file}-${name}`, group, title: titles[String(name)] ?? String(name), words: title, toml: stringify(merged(scene, settings)) };
+    return { id: `${file}-${name}`, group, title: titles[String(name)] ?? String(name), words: text.trim(), toml: stringify(merged(scene, settings)) };
   });
 }
 
 // One preset a value of a study's axis, with the hub clamped as the paper's figure needs it.
 function alongAxis(file: string, group: string, table: string, key: string, titleOf: (value: TomlValue) => string): Built[] {
-  const { title, scene, axes } = study(file);
+  const { text, scene, axes } = study(file);
   const values = axes?.[table]?.[key] ?? [];
   return values.map((value) => ({
     id: `${file}-${value}`,
     group,
     title: titleOf(value),
-    words: title,
+    words: text.trim(),
     toml: stringify(merged(scene, { needle: { support: 'clamped_pinned', ...(table === 'needle' ? { [key]: value } : {}) } })),
   }));
 }

@@ -56,3 +56,16 @@ test('an_engine_that_does_not_load_is_said_in_words', async () => {
   await page.reload();
   await page.waitForFunction(() => /could not start/.test(document.querySelector('.story')?.textContent ?? ''));
 });
+
+test('a_page_that_is_loaded_again_in_the_middle_of_a_push_begins_anew', async () => {
+  const { page, complaints } = await openStudio(tools);
+  await page.keyboard.press('s');
+  await stageIs(page, 'buckled');
+  await page.reload();
+  await stageIs(page, 'contact');
+  assert.match(await page.locator('.story').textContent(), /Push the needle/);
+  assert.equal(await page.locator('.events span').count(), 1, 'nothing is left of the push but a new contact');
+  await page.keyboard.press('s');
+  await stageIs(page, 'buckled');
+  assert.deepEqual(complaints, []);
+});

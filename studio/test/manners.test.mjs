@@ -28,18 +28,19 @@ for (const [name, options] of Object.entries({
     assert.deepEqual(await violations(page), []);
     await page.keyboard.press('s');
     await stageIs(page, 'buckled');
+    await page.keyboard.press(' '); // nothing is drawn meanwhile
     await page.getByRole('button', { name: 'Table' }).click();
-    await page.getByRole('button', { name: 'More' }).click();
+    await page.getByRole('button', { name: 'Options' }).click();
     assert.deepEqual(await violations(page), []);
     const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
     assert.ok(wide <= 0, 'nothing sticks out sideways');
     await page.getByRole('button', { name: 'Help' }).click();
     assert.deepEqual(await violations(page), []);
-    });
+  });
 
 test('every_slider_has_a_name_and_a_value_with_its_unit', async () => {
   const { page } = await openStudio(tools);
-  await page.getByRole('button', { name: 'More' }).click();
+  await page.getByRole('button', { name: 'Options' }).click();
   const sliders = await page.evaluate(() =>
     [...document.querySelectorAll('input[type=range]')].map((e) => ({ id: e.id, label: document.querySelector(`label[for="${e.id}"]`)?.textContent.trim() ?? '', said: e.getAttribute('aria-valuetext') ?? '' })),
   );

@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import assert from 'node:assert/strict';
 import { after, afterEach, before, test } from 'node:test';
-import { begin, closePages, count, download, openStudio, picture, pixels, readings, rowsOf, stageIs, written } from './lib/studio.mjs';
+import { anew, begin, closePages, count, download, openStudio, paused, picture, pixels, readings, rowsOf, stageIs, written } from './lib/studio.mjs';
 
 let tools;
 const folder = mkdtempSync(join(tmpdir(), 'acus-replay-'));
@@ -41,8 +41,7 @@ test('a_replay_file_opens_from_disk_and_shows_the_same_numbers', async () => {
   const { page, context } = await openStudio(tools);
   await page.keyboard.press('s');
   await page.waitForFunction(() => Number.parseFloat(document.querySelector('[data-value=deflection_m]').textContent) > 15);
-  await page.keyboard.press(' ');
-  await page.waitForTimeout(400);
+  await paused(page);
   const rows = rowsOf((await download(page, 'CSV')).bytes);
   const { name, bytes } = await download(page, 'Replay file');
   assert.match(name, /\.html$/);
@@ -53,7 +52,6 @@ test('a_replay_file_opens_from_disk_and_shows_the_same_numbers', async () => {
   const asked = [];
   replay.on('request', (request) => asked.push(request.url()));
   await stageIs(replay, rows.at(-1).stage);
-  await replay.waitForTimeout(500);
   assert.deepEqual(await readings(replay), written(rows.at(-1)));
   const drawn = await pixels(replay);
   assert.ok(count(drawn, (r, g, b, a) => a > 200) > 0.03 * drawn.width * drawn.height, 'the picture is not blank');
@@ -70,11 +68,11 @@ test('two_runs_stand_side_by_side', async () => {
   const { page, complaints } = await openStudio(tools);
   await page.keyboard.press('s');
   await stageIs(page, 'buckled');
-  await page.getByLabel('Length, mm').fill('150');
-  await page.keyboard.press('Tab');
-  await page.waitForFunction(() => /go in straight/.test(document.querySelector('[data-words]').textContent));
-  await page.waitForTimeout(800);
-  await stageIs(page, 'contact');
+  await anew(page, async () => {
+    await page.getByLabel('Length, mm').fill('150');
+    await page.keyboard.press('Tab');
+  });
+  assert.match(await page.locator('[data-words]').textContent(), /go in straight/);
   await page.selectOption('#compare', { index: 1 });
   assert.equal(await page.locator('.scene').count(), 2);
   assert.match(await page.locator('.caption').nth(1).textContent(), /earlier: 200 mm/);

@@ -1,6 +1,6 @@
 // Pictures of the page for its documentation, into docs/pictures: the same moments of the same insertions each time.
 import { fileURLToPath } from 'node:url';
-import { begin, openStudio, picture, stageIs } from './lib/studio.mjs';
+import { anew, begin, openStudio, picture, stageIs } from './lib/studio.mjs';
 
 const folder = fileURLToPath(new URL('../../docs/pictures/', import.meta.url));
 const tools = await begin();
@@ -31,13 +31,11 @@ async function secondBuckling(page) {
   await picture(page).focus();
   await page.keyboard.press('s');
   await bowed(page, 25);
-  await page.selectOption('#scene', 'fig6-clamped_pinned');
-  await page.waitForFunction(() => /0\.660 N/.test(document.querySelector('[data-words]').textContent));
-  await page.waitForTimeout(800);
-  await stageIs(page, 'contact');
+  await anew(page, () => page.selectOption('#scene', 'fig6-clamped_pinned'));
   await picture(page).focus();
   await page.keyboard.press('s');
   await stageIs(page, 'inserted_buckled');
+  await page.selectOption('#speed', '0.005');
   await bowed(page, 18);
   await hold(page);
 }

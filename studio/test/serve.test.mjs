@@ -1,42 +1,26 @@
 // The real server, `acus serve` as it was built, with pages of a real browser: what it shows, who leads, and what a page
-// of another site can reach. ACUS_PROGRAM names another program.
+// of another site can reach.
 import assert from 'node:assert/strict';
-import { spawn } from 'node:child_process';
 import { createServer } from 'node:http';
 import { after, afterEach, before, test } from 'node:test';
-import { fileURLToPath } from 'node:url';
 import { openBrowser } from './lib/browser.mjs';
-
-const program = process.env.ACUS_PROGRAM ?? fileURLToPath(new URL('../../build/release/acus', import.meta.url));
-const scene = fileURLToPath(new URL('../../scenes/paper_200.toml', import.meta.url));
+import { serve } from './lib/program.mjs';
 
 let browser;
 let server;
-let address;
 before(async () => (browser = await openBrowser()));
 after(() => browser.close());
 
-const serve = async (...options) => {
-  server = spawn(program, ['serve', scene, '--port', '0', '--no-browser', '--set', 'tissue.tetrahedra=1000', '--set', 'run.time_step_ms=5', ...options]);
-  address = await new Promise((found) => {
-    let said = '';
-    server.stdout.on('data', (more) => {
-      said += more;
-      const match = said.match(/http:\/\/\S+/);
-      if (match) found(match[0]);
-    });
-  });
-};
+const small = { 'tissue.tetrahedra': 1000, 'run.time_step_ms': 5 };
+const begin = async (...options) => (server = await serve('paper_200', small, { options }));
 afterEach(async () => {
   for (const context of browser.contexts()) await context.close();
-  const ended = new Promise((code) => server.on('exit', code));
-  server.kill('SIGINT');
-  assert.equal(await ended, 0);
+  assert.equal(await server.end(), 0);
 });
 
 const opened = async () => {
   const page = await browser.newPage({ viewport: { width: 900, height: 500 } });
-  await page.goto(address);
+  await page.goto(server.address);
   await page.waitForSelector('[data-value=hand_force_N]');
   return page;
 };
@@ -48,7 +32,7 @@ const until = async (truth) => {
 };
 
 test('one_page_leads_another_watches_and_takes_over_when_the_first_has_gone', async () => {
-  await serve();
+  await begin();
   const first = await opened();
   await until(async () => (await number(first, 'hand_travel_m')) > 0.3); // it begins in contact
   await first.getByRole('button', { name: 'Steady hand' }).click();
@@ -69,7 +53,7 @@ test('one_page_leads_another_watches_and_takes_over_when_the_first_has_gone', as
 });
 
 test('a_device_leads_and_a_page_takes_its_force_away', async () => {
-  await serve('--device', 'simulated');
+  await begin('--device', 'simulated');
   const page = await opened();
   await page.waitForSelector('[data-gate]');
   assert.ok(await page.getByRole('button', { name: 'Steady hand' }).isDisabled());
@@ -82,12 +66,12 @@ test('a_device_leads_and_a_page_takes_its_force_away', async () => {
 });
 
 test('a_page_of_another_site_reaches_neither_socket_nor_files', async () => {
-  await serve();
+  await begin();
   const evil = createServer((_, reply) => reply.setHeader('content-type', 'text/html').end('<p>elsewhere</p>'));
   await new Promise((go) => evil.listen(0, '127.0.0.1', go));
   const page = await browser.newPage();
   await page.goto(`http://127.0.0.1:${evil.address().port}/`);
-  const socket = address.replace('http', 'ws').replace('/?', '/socket?');
+  const socket = server.address.replace('http', 'ws').replace('/?', '/socket?');
   const opens = (url) => page.evaluate((u) => new Promise((say) => {
     const s = new WebSocket(u);
     s.onopen = () => say('open');
@@ -95,12 +79,46 @@ test('a_page_of_another_site_reaches_neither_socket_nor_files', async () => {
   }), url);
   assert.equal(await opens(socket), 'refused'); // with the right token, and not with the right origin
   assert.equal(await opens(socket.replace('127.0.0.1', 'localhost')), 'refused');
-  assert.equal(await page.evaluate((u) => fetch(u).then(() => 'read', () => 'kept'), address), 'kept');
+  assert.equal(await page.evaluate((u) => fetch(u).then(() => 'read', () => 'kept'), server.address), 'kept');
   assert.equal(await page.evaluate((u) => new Promise((say) => {
     const frame = document.createElement('iframe');
     frame.src = u;
     frame.onload = () => { try { say(frame.contentDocument ? 'seen' : 'kept'); } catch { say('kept'); } };
     document.body.append(frame);
-  }), address), 'kept');
+  }), server.address), 'kept');
   evil.close();
+});
+
+test('a_page_that_is_loaded_again_in_the_middle_of_a_push_finds_the_insertion_where_it_is', async () => {
+  await begin();
+  const page = await opened();
+  await until(async () => (await number(page, 'hand_travel_m')) > 0.3);
+  await page.getByRole('button', { name: 'Steady hand' }).click();
+  await until(async () => (await number(page, 'hand_travel_m')) > 10);
+  await page.reload();
+  await until(async () => (await number(page, 'hand_travel_m')) > 10);
+  assert.equal(await page.getAttribute('[data-stage]', 'data-stage'), 'buckled');
+  await until(async () => page.getByRole('button', { name: 'Steady hand' }).isEnabled());
+  // It takes the hub from where it is, and does not pull it back to the beginning.
+  await page.waitForFunction(() => Number(document.querySelector('#hand').value) > 10);
+  const there = await number(page, 'hand_travel_m');
+  await page.locator('[role=application]').focus();
+  await page.keyboard.press('PageDown');
+  await until(async () => (await number(page, 'hand_travel_m')) > there + 9.9);
+});
+
+test('a_server_that_ends_is_said_in_words_and_one_that_was_started_again_is_told_from_it', async () => {
+  await begin();
+  const page = await opened();
+  const story = page.locator('.story');
+  await server.end('SIGKILL');
+  await until(async () => /does not answer; trying again\. Is it still running/.test(await story.innerText()));
+  assert.ok(await page.getByRole('button', { name: 'Steady hand' }).isDisabled());
+  const { port } = new URL(server.address);
+  server = await serve('paper_200', small, { port });
+  await until(async () => /was started again.* open the address that it printed last/.test(await story.innerText()));
+  await page.goto(server.address);
+  await until(async () => (await number(page, 'hand_travel_m')) > 0.3);
+  await page.getByRole('button', { name: 'Steady hand' }).click();
+  await page.waitForSelector('[data-stage=buckled]');
 });

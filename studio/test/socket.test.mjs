@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { after, afterEach, before, test } from 'node:test';
 import { fakeServe, rowAt } from './lib/fake_engine.mjs';
 import { openBrowser } from './lib/browser.mjs';
-import { closePages, openStudio, picture, readings, stageIs, written } from './lib/studio.mjs';
+import { closePages, openStudio, paused, picture, readings, stageIs, written } from './lib/studio.mjs';
 
 let browser;
 before(async () => (browser = await openBrowser()));
@@ -18,9 +18,7 @@ test('frames_of_a_server_are_shown_to_the_digit', async () => {
   await page.getByLabel('Hand', { exact: true }).fill('20');
   await stageIs(page, 'buckled');
   await page.waitForFunction(() => document.querySelector('[data-value=hand_travel_m]').textContent.startsWith('20.00'));
-  await picture(page).focus();
-  await page.keyboard.press(' ');
-  await page.waitForTimeout(300);
+  await paused(page);
   const { travel, time } = server.now();
   const shown = await readings(page);
   assert.deepEqual(shown, written(rowAt(travel, time)));
@@ -34,7 +32,7 @@ test('a_lost_connection_is_shown_and_recovered', async () => {
   const { page } = await opened(server);
   await server.close();
   await page.waitForSelector('.link[data-link=lost]');
-  assert.match(await page.locator('.story').textContent(), /lost; trying again/);
+  assert.match(await page.locator('.story').textContent(), /trying again/);
   const again = await fakeServe({ port: server.port });
   await page.waitForSelector('.link[data-link=open]');
   await stageIs(page, 'contact');
@@ -47,6 +45,7 @@ test('a_device_is_armed_and_disarmed_with_its_limit_in_sight', async () => {
   const { page } = await opened(server, { ready: false });
   await page.waitForSelector('[data-gate=disarmed]');
   assert.match(await page.locator('.device').textContent(), /Inverse3.*at most 2\.0 N/s);
+  assert.match(await page.locator('.story').textContent(), /The handle of the Inverse3 is its hub.*once it is armed/);
   await page.getByRole('button', { name: 'Arm', exact: true }).click();
   await page.waitForSelector('[data-gate=armed]');
   assert.match(await page.locator('.device').textContent(), /0\.50 N of at most 2\.0 N/);

@@ -28,10 +28,10 @@ TEXT
   chmod +x "$scratch"/bin/{dpkg-query,apt-get,id,git,clang-format}
 }
 
-# says EXPECTED EXIT: `./dev format` on the pretended machine ends with EXIT and EXPECTED in its words.
+# says EXPECTED EXIT [VERB]: `./dev VERB` (format) on the pretended machine ends with EXIT and EXPECTED in its words.
 says() {
   local said code=0
-  said=$(PATH="$scratch/bin" "$source_dir/dev" format 2>&1) || code=$?
+  said=$(PATH="$scratch/bin" "$source_dir/dev" "${3:-format}" 2>&1) || code=$?
   if [[ $code -ne $2 || $said != *"$1"* ]]; then
     printf 'expected exit %d and "%s", got exit %d and: %s\n' "$2" "$1" "$code" "$said"
     failures=$((failures + 1))
@@ -52,6 +52,8 @@ apt_was_asked "install -y -qq --no-install-recommends clang-format"
 machine "" 100 0 && says "apt-get could not install: clang-format" 1
 apt_was_asked "update"
 machine "" 0 1000 && says "need root to install (there is no sudo here): clang-format" 1
+machine "cmake" 0 1000 && says ": g++ ninja-build ccache libeigen3-dev libcli11-dev nlohmann-json3-dev libpugixml-dev libtomlplusplus-dev \
+libboost-dev libgtest-dev librapidcheck-dev libbenchmark-dev clang libclang-rt-dev emscripten nodejs node-typescript clang-format chromium" 1 test
 machine "" 0 0 && rm "$scratch/bin/dpkg-query" && says "this is not Debian" 1
 
 printf '%d expectations failed\n' "$failures"

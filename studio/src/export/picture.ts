@@ -36,7 +36,7 @@ export async function pagePicture(scene: HTMLElement, charts: HTMLCanvasElement[
   context.fillRect(0, 0, canvas.width, canvas.height);
   context.drawImage(canvas, 0, 0);
   if (overlay) context.drawImage(await imageOf(overlay), 0, 0, canvas.width, canvas.height);
-  const legend = scene.querySelector<HTMLElement>('.legend');
+  const legend = scene.querySelector<HTMLElement>('.legend [role=img]');
   const ramp = legend?.querySelector('.ramp')?.getBoundingClientRect();
   context.fillStyle = token('ink');
   context.font = `${12 * ratio}px ${token('font')}`;

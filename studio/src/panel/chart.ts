@@ -129,7 +129,7 @@ export class Chart {
           { ...axis(drawing.y.label, 36), space: 28 },
         ],
         series: [{}, ...drawing.curves.map((_, i): uPlot.Series => this.series(i))],
-        hooks: { draw: [(plot) => this.decorate(plot)] },
+        hooks: { drawAxes: [(plot) => this.drawLevels(plot)], draw: [(plot) => this.drawMarkers(plot)] },
       },
       dataOf(drawing),
       this.box,
@@ -152,8 +152,9 @@ export class Chart {
     } as uPlot.Series;
   }
 
-  private decorate(plot: uPlot): void {
-    const { levels, markers } = this.drawing!;
+  // Below the curves, which must be seen whole.
+  private drawLevels(plot: uPlot): void {
+    const { levels } = this.drawing!;
     const { ctx } = plot;
     const { left, top, width, height } = plot.bbox;
     const ratio = devicePixelRatio;
@@ -174,9 +175,20 @@ export class Chart {
       ctx.setLineDash([]);
       ctx.textAlign = 'right';
       ctx.textBaseline = 'bottom';
+      ctx.save();
+      ctx.strokeStyle = token('panel');
+      ctx.lineWidth = 3 * ratio;
+      ctx.strokeText(level.words, left + width - 4 * ratio, y - 2 * ratio);
+      ctx.restore();
       ctx.fillText(level.words, left + width - 4 * ratio, y - 2 * ratio);
     }
     ctx.restore();
+  }
+
+  private drawMarkers(plot: uPlot): void {
+    const { markers } = this.drawing!;
+    const { ctx } = plot;
+    const ratio = devicePixelRatio;
     ctx.save();
     for (const marker of markers) {
       const x = plot.valToPos(marker.x, 'x', true);

@@ -15,12 +15,12 @@ export class SocketSource implements EngineClient {
   private timer = 0;
   private holding = 0;
   private closed = false;
-  private opened = false;
 
   constructor(private readonly address: string) {}
 
   connect(listener: Listener): void {
     this.listener = listener;
+    listener.link('connecting', 'Connecting to acus serve.');
     this.open();
   }
 
@@ -46,13 +46,13 @@ export class SocketSource implements EngineClient {
 
   private open(): void {
     const listener = this.listener!;
-    listener.link('connecting', this.opened ? 'Connecting again to acus serve.' : 'Connecting to acus serve.');
     const socket = new WebSocket(this.address);
+    let reached = false;
     this.socket = socket;
     socket.binaryType = 'arraybuffer';
     socket.onopen = () => {
       this.wait = firstWait;
-      this.opened = true;
+      reached = true;
       listener.link('open', 'Connected to acus serve.');
     };
     socket.onmessage = ({ data }: MessageEvent<string | ArrayBuffer>) => {
@@ -67,15 +67,23 @@ export class SocketSource implements EngineClient {
     };
     socket.onclose = () => {
       this.letGo();
-      if (this.closed) return listener.link('closed', 'The connection was closed.');
-      listener.link(
-        'lost',
-        this.opened
-          ? 'The connection to acus serve is lost; trying again. Nothing pushes the needle meanwhile.'
-          : 'acus serve does not answer; trying again. Is it running, and is the token of this address its own?',
-      );
-      this.timer = window.setTimeout(() => this.open(), this.wait);
-      this.wait = Math.min(longestWait, this.wait * 2);
+      void this.lost(reached);
     };
   }
+
+  private async lost(reached: boolean): Promise<void> {
+    const words = reached ? 'The connection to acus serve is lost; trying again. Nothing pushes the needle meanwhile.' : await whyUnreached();
+    if (this.closed) return this.listener!.link('closed', 'The connection was closed.');
+    this.listener!.link('lost', words);
+    this.timer = window.setTimeout(() => this.open(), this.wait);
+    this.wait = Math.min(longestWait, this.wait * 2);
+  }
+}
+
+// A refused socket gives no reason. A server that gives its page, and not its socket, was not told its token.
+async function whyUnreached(): Promise<string> {
+  const answers = await fetch(location.href, { cache: 'no-store' }).then(({ ok }) => ok, () => false);
+  return answers
+    ? 'acus serve was started again and does not know this page any more: open the address that it printed last, in its terminal.'
+    : 'acus serve does not answer; trying again. Is it still running in its terminal?';
 }

@@ -37,7 +37,7 @@ const gauge = (g: number, outer: number): Preset => ({
   source: 'ISO 9626:2016, outer diameter; solid here',
 });
 export const gauges: Preset[] = [
-  { words: 'Table I, 0.6 mm', settings: { 'needle.radius_mm': 0.3 }, source: 'the paper’s Table I' },
+  { words: 'paper’s, 0.6 mm', settings: { 'needle.radius_mm': 0.3 }, source: 'Table I; 23 to 24 G' },
   gauge(18, 1.27),
   gauge(20, 0.91),
   gauge(21, 0.82),
@@ -64,7 +64,7 @@ export const supports: Preset[] = [
 
 export const tissues: Preset[] = [
   {
-    words: 'Table I, 25 kPa',
+    words: 'paper’s, 25 kPa',
     settings: { 'tissue.youngs_modulus_kPa': 25, 'contact.fracture_toughness_J_m2': 164, 'contact.friction_N_m': 40 },
     source: 'Table I; toughness of bovine liver (Gokgol 2012), friction J Endourol 10.1089/end.2016.0342',
   },

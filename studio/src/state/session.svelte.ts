@@ -37,7 +37,7 @@ export class Session {
   paused = $state(false);
   rate = $state(1);
   steadySpeed = $state(0); // m/s, 0 while the person leads
-  asked = $state(0); // m, where the person wants the hand
+  asked = $state(0); // m, where the person wants the hand, or where it is while nobody here pushes
   starting = $state(true);
   realTimeFactor = $state(0);
 
@@ -54,7 +54,8 @@ export class Session {
   private runs = 0;
   private meter = new RateMeter();
   private wasPaused = false;
-  private touchDue = false; // the first touch waits until the server has said who leads
+  private pushing = false; // this page gave the hand its place
+  private touchDue = false; // the first touch of an insertion at a server
   onEvent: ((event: EventName) => void) | null = null;
 
   get stage(): Stage {
@@ -62,6 +63,14 @@ export class Session {
   }
   get live(): boolean {
     return this.player === null;
+  }
+  // What the curves show: the run, or the recording that is played, up to the moment that is drawn.
+  get shown(): Recording | null {
+    return this.player?.recording ?? this.run;
+  }
+  get shownLength(): number {
+    void this.frame; // with each, a recording grows
+    return this.live ? (this.shown?.length ?? 0) : this.playerIndex + 1;
   }
   // A haptic device holds the hub, in real time; the page watches.
   get deviceLeads(): boolean {
@@ -125,9 +134,9 @@ export class Session {
         return;
       case 'loop':
         this.loop = report;
+        if (!report.owner) this.pushing = false;
         this.realTimeFactor = report.real_time_factor;
-        if (this.touchDue && report.owner && (this.frame?.trace[place.hand_travel_m] ?? 0) < firstTouch) this.push(firstTouch);
-        this.touchDue = false;
+        this.touch();
     }
   }
 
@@ -150,11 +159,19 @@ export class Session {
     this.refused = this.failed = '';
     this.starting = false;
     this.steadySpeed = 0;
+    this.pushing = false;
     this.meter = new RateMeter();
     if (this.rate !== 1 && !this.deviceLeads) this.engine?.send({ type: 'rate', factor: this.rate });
     if (this.paused) this.engine?.send({ type: 'pause' }); // a new insertion runs by itself
     this.touchDue = this.hello?.source === 'serve';
     if (!this.touchDue) this.push(firstTouch);
+  }
+
+  // At a server: not before it has said who leads, and where the hand is.
+  private touch(): void {
+    if (!this.touchDue || !this.loop || !this.frame) return;
+    this.touchDue = false;
+    if (this.loop.owner && this.frame.trace[place.hand_travel_m]! < firstTouch) this.push(firstTouch);
   }
 
   private keep(): void {
@@ -170,7 +187,8 @@ export class Session {
     this.stay(frame.trace[place.hand_travel_m]!);
     if (this.player) return;
     this.frame = frame;
-    if (this.steadySpeed !== 0) this.asked = frame.trace[place.hand_travel_m]!;
+    if (!this.pushing) this.asked = frame.trace[place.hand_travel_m]!;
+    this.touch();
   }
 
   // The steady hand stops where the slider ends.
@@ -217,6 +235,7 @@ export class Session {
   push(travel: number): void {
     if (!this.canPush || !Number.isFinite(travel)) return;
     this.asked = Math.max(-leastTravel, Math.min(this.mostTravel, travel));
+    this.pushing = true;
     this.steadySpeed = 0;
     this.engine?.send({ type: 'push', travel_m: this.asked });
   }
@@ -228,9 +247,9 @@ export class Session {
   steady(speed: number): void {
     if (!this.canPush) return;
     this.steadySpeed = speed;
+    this.pushing = false;
     if (this.paused) this.pause(false);
     this.engine?.send({ type: 'steady', speed_m_s: speed });
-    if (speed === 0 && this.frame) this.asked = this.frame.trace[place.hand_travel_m]!;
   }
 
   pause(paused: boolean): void {

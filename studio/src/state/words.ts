@@ -38,7 +38,7 @@ export interface Story {
 }
 
 // What one sees, and why, in two sentences: from the stage, the model's own numbers and the events so far.
-export function story(stage: Stage, trace: Trace, model: Model, happened: Set<EventName>, moved: boolean): Story {
+export function story(stage: Stage, trace: Trace, model: Model, happened: Set<EventName>, moved: boolean, device: string | null): Story {
   const critical = newtons(trace[place.critical_load_N]! || model.critical_load_N, 2);
   const rupture = newtons(model.rupture_force_N, 2);
   const free = millimetres(trace[place.free_length_m]!, 0);
@@ -48,7 +48,7 @@ export function story(stage: Stage, trace: Trace, model: Model, happened: Set<Ev
       title: 'It buckled.',
       text: rigid
         ? `A straight needle of ${free} carries ${critical}; beyond that it gives way sideways.`
-        : `${free} of free needle carry ${critical}, then give way sideways; the tissue would open only at ${rupture}. Pushing on mostly bends it.`,
+        : `${free} of free needle carry ${critical}, then give way sideways; the tissue opens only at ${rupture}. Pushing on mostly bends it.`,
       offer: shorter(model),
     };
   }
@@ -69,7 +69,8 @@ export function story(stage: Stage, trace: Trace, model: Model, happened: Set<Ev
     return rigid
       ? { title: 'Keep pushing.', text: `The needle stands on a wall; it will bow at ${critical}.` }
       : { title: 'Keep pushing.', text: `The tissue gives way and pushes back. It opens at ${rupture}; the needle stays straight up to ${critical}.` };
-  return { title: 'Push the needle.', text: 'Pull its hub down in the picture, hold the down arrow key, or press “Steady hand”.' };
+  if (device !== null) return { title: 'Push the needle.', text: `The handle of the ${device} is its hub: push it towards the tissue. You feel it once it is armed, on the left.` };
+  return { title: 'Push the needle.', text: 'Pull its hub down in the picture, press “Steady hand” and watch, or hold the down arrow key.' };
 }
 
 const margin = 0.97; // of the longest that should stay straight

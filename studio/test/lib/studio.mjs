@@ -30,6 +30,33 @@ export async function openStudio({ site, browser }, { width = 1000, height = 640
 export const picture = (page) => page.locator('[role=application]');
 export const stageIs = (page, stage) => page.waitForSelector(`[data-stage=${stage}]`);
 
+// Does what starts a new insertion, and waits for it to touch the tissue.
+export async function anew(page, act) {
+  const before = await page.getAttribute('.studio', 'data-run');
+  await act();
+  await page.waitForFunction((old) => document.querySelector('.studio').dataset.run !== old, before);
+  await touched(page);
+}
+export const touched = (page) => page.waitForFunction(() => Number.parseFloat(document.querySelector('[data-value=hand_travel_m]').textContent) >= 0.4);
+
+// Stops time and waits until the last moment is shown; gives its row of the trace.
+export async function paused(page) {
+  await picture(page).focus();
+  await page.keyboard.press(' ');
+  await page.getByRole('button', { name: 'Go on' }).waitFor();
+  let before = '';
+  for (let now = JSON.stringify(await readings(page)); now !== before; now = JSON.stringify(await readings(page))) {
+    before = now;
+    await page.waitForTimeout(200);
+  }
+  return rowsOf((await download(page, 'CSV')).bytes).at(-1);
+}
+export async function goesOn(page) {
+  await picture(page).focus();
+  await page.keyboard.press(' ');
+  await page.getByRole('button', { name: 'Pause' }).waitFor();
+}
+
 // The texts of the read-outs by column.
 export const readings = (page) =>
   page.evaluate(() => Object.fromEntries([...document.querySelectorAll('[data-value]')].map((e) => [e.dataset.value, e.textContent.trim()])));
@@ -61,12 +88,13 @@ export async function download(page, name) {
 export function rowsOf(csv) {
   const [head, ...lines] = csv.toString().trim().split('\n');
   const names = head.split(',');
-  return lines.map((line) => Object.fromEntries(line.split(',').map((cell, i) => [names[i], names[i] === 'stage' ? cell : Number(cell)])));
+  const read = (cell) => (Number.isNaN(Number(cell)) ? cell : Number(cell));
+  return lines.map((line) => Object.fromEntries(line.split(',').map((cell, i) => [names[i], read(cell)])));
 }
 
-// Pixels of the picture's canvas, CSS size: { width, height, ratio, data }.
-export const pixels = (page) =>
-  page.evaluate(async () => {
+// Pixels of the picture's canvas: { width, height, ratio, data }, `ratio` to CSS pixels, `data` four bytes each.
+export async function pixels(page) {
+  const { text, ...size } = await page.evaluate(async () => {
     await new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn)));
     const canvas = document.querySelector('.scene canvas');
     const copy = document.createElement('canvas');
@@ -74,8 +102,12 @@ export const pixels = (page) =>
     const context = copy.getContext('2d', { willReadFrequently: true });
     context.drawImage(canvas, 0, 0);
     const { data } = context.getImageData(0, 0, copy.width, copy.height);
-    return { width: copy.width, height: copy.height, ratio: canvas.width / canvas.clientWidth, data: [...data] };
+    let text = '';
+    for (let i = 0; i < data.length; i += 0x8000) text += String.fromCharCode(...data.subarray(i, i + 0x8000));
+    return { width: copy.width, height: copy.height, ratio: canvas.width / canvas.clientWidth, text: btoa(text) };
   });
+  return { ...size, data: Buffer.from(text, 'base64') };
+}
 
 export const count = ({ data }, is) => {
   let found = 0;

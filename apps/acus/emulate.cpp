@@ -72,7 +72,7 @@ int do_emulate_haply(const EmulateHaplyOptions& options) {
   catch_interruptions();
   const haptics::StopAfter stop(options.seconds, interruption_flag());
   while (!stop.flag()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  std::printf("%zu commands came.\n", (*emulator)->commands().size());
+  std::printf("%ld commands came.\n", (*emulator)->came());
   return done;
 }
 

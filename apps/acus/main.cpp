@@ -1,7 +1,9 @@
 // What a user may type: every verb, its options and how wrong ones are refused. The work of a verb is in its
 // own file; this is the only one that parses CLI11, which is heavy.
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <functional>
 #include <iostream>
@@ -20,6 +22,16 @@ int refused(const std::string& sentence, ExitCode code) {
 namespace {
 
 using Work = std::function<int()>;
+
+// CLI::Range alone lets through what is no number.
+CLI::Validator number_from(double least, double most) {
+  const CLI::Validator is_one(
+      [](const std::string& text) {
+        return std::isnan(std::strtod(text.c_str(), nullptr)) ? text + " is no number" : std::string();
+      },
+      "");
+  return is_one & CLI::Range(least, most);
+}
 
 // The option --set key=value, which may stand many times.
 void add_settings(CLI::App& verb, std::vector<std::string>& settings) {
@@ -129,10 +141,10 @@ void add_serve(CLI::App& program, Work& work) {
   verb->add_flag("!--no-browser", options->opens_browser, "do not open a browser");
   verb->add_option("--force-limit", options->force_limit, "most force in N, where less than the device's")
       ->type_name("N")
-      ->check(CLI::Range(0.1, 100.0));
+      ->check(number_from(0.1, 100.0));
   verb->add_option("--seconds", options->seconds, "end after so long; until Ctrl-C without it")
       ->type_name("S")
-      ->check(CLI::Range(0.1, 1e6));
+      ->check(number_from(0.1, 1e6));
   verb->add_option("--record", options->record, "file for a recording, which `acus replay` takes")
       ->type_name("FILE");
   verb->callback([options, verb, &work] {
@@ -155,10 +167,10 @@ void add_emulate(CLI::App& program, Work& work) {
       ->capture_default_str();
   constexpr double slowest = 0.1, fastest = 500.0, farthest = 200.0;
   haply->add_option("--speed", options->speed, "of the hand, mm/s")
-      ->check(CLI::Range(slowest, fastest))
+      ->check(number_from(slowest, fastest))
       ->capture_default_str();
   haply->add_option("--way", options->way, "how far the hand goes before it comes back, mm")
-      ->check(CLI::Range(0.0, farthest))
+      ->check(number_from(0.0, farthest))
       ->capture_default_str();
   haply
       ->add_option(
@@ -169,7 +181,7 @@ void add_emulate(CLI::App& program, Work& work) {
       ->allow_extra_args(false);
   haply->add_option("--seconds", options->seconds, "end after so long; until Ctrl-C without it")
       ->type_name("S")
-      ->check(CLI::Range(0.1, 1e6));
+      ->check(number_from(0.1, 1e6));
   haply->callback([options, &work] { work = [options] { return do_emulate_haply(*options); }; });
   verb->add_subcommand("openhaptics", "3D Systems' driver library: says how to use its emulator")
       ->callback([&work] { work = do_emulate_openhaptics; });

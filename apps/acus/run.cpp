@@ -1,10 +1,10 @@
 // acus run: one insertion, headless.
 #include <memory>
 
+#include "acus/haptics/recorder.h"
 #include "acus/io/insertion.h"
 #include "acus/io/scene_toml.h"
 #include "acus/sim/hand.h"
-#include "recording.h"
 #include "run_output.h"
 #include "verbs.h"
 
@@ -39,12 +39,16 @@ int do_run(const RunOptions& options) {
   if (!simulation) return refused(options.scene + ": " + simulation.error().sentence, bad_input);
   Result<RunOutput> output = RunOutput::create(options.output);
   if (!output) return refused(output.error().sentence, bad_input);
-  Result<std::unique_ptr<Recorder>> recorder = start_recorder(options.record_given, options.record, *scene);
-  if (!recorder) return refused(recorder.error().sentence, bad_input);
+  std::unique_ptr<Recorder> recorder;
+  if (options.record_given) {
+    Result<std::unique_ptr<Recorder>> started = Recorder::start(options.record, *scene, "--record");
+    if (!started) return refused(started.error().sentence, bad_input);
+    recorder = std::move(*started);
+  }
 
-  const io::Insertion insertion = insert(*simulation, *output, recorder->get());
+  const io::Insertion insertion = insert(*simulation, *output, recorder.get());
   std::optional<Error> not_recorded;
-  if (*recorder) not_recorded = (*recorder)->finish(insertion.state_hash);
+  if (recorder) not_recorded = recorder->finish(insertion.state_hash);
   const int code = output->finish(insertion);
   return not_recorded ? refused(not_recorded->sentence, run_failed) : code;
 }

@@ -1,4 +1,5 @@
 // acus serve: the studio on this machine, and a device at the needle where one is named.
+#include <fcntl.h>
 #include <spawn.h>
 
 #include <cstdio>
@@ -10,7 +11,6 @@
 #include "acus/io/insertion.h"
 #include "acus/io/scene_toml.h"
 #include "interruption.h"
-#include "recording.h"
 #include "studio/studio_server.h"
 #include "verbs.h"
 
@@ -19,19 +19,29 @@ extern char** environ;
 namespace acus::app {
 namespace {
 
-// On a desktop the browser opens by itself.
+// On a desktop the browser opens by itself. It lives on when we end: it gets nothing of ours, neither the
+// port nor the connection to a device, and Ctrl-C is not for it.
 void open_in_browser(const std::string& address) {
   if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
   std::string program = "xdg-open", target = address;
   char* words[] = {program.data(), target.data(), nullptr};
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  for (int standard = 0; standard < 3; ++standard)
+    posix_spawn_file_actions_addopen(&files, standard, "/dev/null", O_RDWR, 0);
+  posix_spawn_file_actions_addclosefrom_np(&files, 3);
+  posix_spawnattr_t session;
+  posix_spawnattr_init(&session);
+  posix_spawnattr_setflags(&session, POSIX_SPAWN_SETSID);
   pid_t child = 0;
-  posix_spawnp(&child, words[0], nullptr, nullptr, words, environ);
+  posix_spawnp(&child, words[0], &files, &session, words, environ);
+  posix_spawnattr_destroy(&session);
+  posix_spawn_file_actions_destroy(&files);
 }
 
 struct Served {
   std::string words;  // about the device, where there is one
   std::unique_ptr<Engine> engine;
-  std::unique_ptr<haptics::Recorder> recorder;
 };
 
 // A page leads the hand.
@@ -49,16 +59,13 @@ Result<Served> serve_device(const Scene& scene, const ServeOptions& options) {
   const haptics::DeviceLimits& limits = opened->device->limits();
   Result<Simulation> simulation = io::build_simulation(haptics::held_by(limits, scene));
   if (!simulation) return Error{options.scene + ": " + simulation.error().sentence};
-  Result<std::unique_ptr<haptics::Recorder>> recorder =
-      start_recorder(options.record_given, options.record, simulation->scene());
-  if (!recorder) return recorder.error();
   Served served;
   served.words =
       limits.title + " (" + opened->by->proof +
       ") shows the needle now; it is felt from 5 mm ahead of where the handle is when it becomes ready.\n";
-  served.recorder = std::move(*recorder);
-  served.engine = device_engine(std::move(opened).value(), std::move(simulation).value(),
-                                {options.force_limit, served.recorder.get()});
+  served.engine = device_engine(
+      std::move(opened).value(), std::move(simulation).value(),
+      {options.force_limit, options.record_given ? std::optional(options.record) : std::nullopt});
   return served;
 }
 

@@ -39,6 +39,24 @@ INSTANTIATE_TEST_SUITE_P(Dialects, Haply, testing::Values(Dialect::values, Diale
                            return dialect.param == Dialect::vector ? "of_3_5" : "of_3_1";
                          });
 
+// A service that says where the device is again and again, whether it is asked or not.
+TEST(HaplyService, may_talk_without_end) {
+  net::WebService service;
+  service.answer = [](const net::WebRequest&) { return net::WebAnswer(); };
+  service.serve = [](net::WebSocket& client, const std::function<bool()>& stopping) {
+    const std::string state =
+        R"({"inverse3":[{"device_id":"1","state":{"cursor_position":{"x":0,"y":0,"z":0}},"status":{"calibrated":true}}]})";
+    while (!stopping() && client.send(state, 1.0)) {
+    }
+  };
+  const auto server = net::WebServer::start(0, std::move(service)).value();
+  const auto device = open_at(server->port());
+  Steady tick;
+  Serving serving(*device, tick);
+  EXPECT_TRUE(wait_for([&] { return tick.calls > 50; }));
+  serving.stop();
+}
+
 TEST_P(Haply, says_where_it_is_and_shows_the_force) {
   const auto service = emulator(GetParam());
   const auto device = open_at(service->port());
@@ -227,6 +245,7 @@ TEST(HaplyEmulatorItself, obeys_only_the_words_of_its_version) {
       ASSERT_EQ((*socket)->receive(message, 5.0), net::WebSocket::Received::message);
     }
     ASSERT_EQ(service->commands().size(), 1U);
+    EXPECT_EQ(service->came(), 1);
     EXPECT_EQ(service->commands()[0].force, Vec3(1.0, 2.0, 3.0));
   }
 }

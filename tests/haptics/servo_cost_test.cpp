@@ -1,7 +1,5 @@
 // What a tick may not do: allocate, take a lock, touch memory that is not there.
-#include <dlfcn.h>
 #include <gtest/gtest.h>
-#include <pthread.h>
 #include <sys/resource.h>
 
 #include <cmath>
@@ -9,17 +7,7 @@
 #include "acus/haptics/newest_value.h"
 #include "acus/haptics/servo.h"
 #include "tests/counted_allocations.h"
-
-namespace {
-long locks = 0;
-}
-
-extern "C" int pthread_mutex_lock(pthread_mutex_t* mutex) noexcept {
-  using Lock = int (*)(pthread_mutex_t*);
-  static const auto real = reinterpret_cast<Lock>(dlsym(RTLD_NEXT, "pthread_mutex_lock"));
-  ++locks;
-  return real(mutex);
-}
+#include "tests/counted_locks.h"
 
 namespace acus::haptics {
 namespace {

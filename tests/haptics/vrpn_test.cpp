@@ -5,7 +5,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "acus/haptics/backends.h"
@@ -186,17 +188,27 @@ TEST(Vrpn, stop_takes_the_force_away_and_the_device_can_be_served_again) {
   }
 }
 
+// A tracker falls silent while the hand feels a force, and the force goes.
+class SilentVrpn : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(device);
+    serving.emplace(*device, tick);
+    ASSERT_TRUE(wait_for_force(server, felt));
+    server.be_silent(true);
+    ASSERT_TRUE(wait_for_force(server, Vec3::Zero()));
+  }
+
+  const Vec3 felt{0.0, 2.0, 0.0};
+  VrpnServer server{"Phantom0"};
+  const std::unique_ptr<Device> device = open(server);
+  Keeping tick{felt};
+  std::optional<Serving> serving;
+};
+
 // Not ready after 50 ms, and lost after half a second.
-TEST(Vrpn, silent_tracker_gets_no_force_and_is_lost) {
-  VrpnServer server("Phantom0");
-  const auto device = open(server);
-  ASSERT_TRUE(device);
-  Keeping tick(Vec3(0.0, 2.0, 0.0));
-  Serving serving(*device, tick);
-  ASSERT_TRUE(wait_for_force(server, Vec3(0.0, 2.0, 0.0)));
-  server.be_silent(true);
-  ASSERT_TRUE(wait_for_force(server, Vec3::Zero()));
-  expect_one_sentence_with(serving.loss(), "silent for half a second");
+TEST_F(SilentVrpn, is_lost) {
+  expect_one_sentence_with(serving->loss(), "silent for half a second");
   expect_let_go(server);
   double heard = 0.0;
   for (const DeviceState& state : tick.said())
@@ -208,17 +220,9 @@ TEST(Vrpn, silent_tracker_gets_no_force_and_is_lost) {
   EXPECT_FALSE(tick.said().back().ready);
 }
 
-TEST(Vrpn, short_silence_is_only_a_device_that_was_not_ready) {
-  VrpnServer server("Phantom0");
-  const auto device = open(server);
-  ASSERT_TRUE(device);
-  Keeping tick(Vec3(0.0, 2.0, 0.0));
-  Serving serving(*device, tick);
-  ASSERT_TRUE(wait_for_force(server, Vec3(0.0, 2.0, 0.0)));
-  server.be_silent(true);
-  ASSERT_TRUE(wait_for_force(server, Vec3::Zero()));
+TEST_F(SilentVrpn, is_only_a_device_that_was_not_ready_when_it_soon_speaks_again) {
   server.be_silent(false);
-  EXPECT_TRUE(wait_for_force(server, Vec3(0.0, 2.0, 0.0)) || serving.over());
+  EXPECT_TRUE(wait_for_force(server, felt) || serving->over());
 }
 
 TEST(Vrpn, server_that_ends_is_noticed) {

@@ -2,7 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 
 #include "program.h"
 
@@ -53,6 +56,34 @@ class EmulatedService {
   std::FILE* said_;
   std::string port_;
 };
+
+// The browser outlives us, so that whatever it inherited would stay open.
+TEST(HapticProgram, opens_a_browser_that_gets_the_address_and_nothing_else_of_ours) {
+  const std::string folder = fresh_folder("browser"), program = folder + "/xdg-open";
+  std::ofstream(program)
+      << "#!/bin/sh\necho \"$1\" $$ $(cut -d' ' -f6 /proc/$$/stat) $(ls -l /proc/$$/fd | grep -c socket) "
+         "> opened.txt.part\nmv opened.txt.part opened.txt\n";
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", (folder + ":" + path).c_str(), 1);
+  setenv("DISPLAY", ":9", 1);
+  const EmulatedService service("--seconds 4");
+  const ProgramRun run = run_program({"serve", ACUS_SOURCE_DIR "/scenes/bare_column.toml", "--device",
+                                      "haply:" + service.port(), "--port", "0", "--seconds", "2"},
+                                     folder);
+  setenv("PATH", path.c_str(), 1);
+  unsetenv("DISPLAY");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  std::istringstream opened(file_text(folder + "/opened.txt"));
+  std::string address;
+  long process = 0, session = -1, sockets = -1;
+  opened >> address >> process >> session >> sockets;
+  EXPECT_NE(run.out.find(address + "\n"), std::string::npos) << address;
+  EXPECT_NE(address.find("/?token="), std::string::npos) << address;
+  EXPECT_EQ(session, process);  // one of its own: Ctrl-C in our terminal is not for it
+  EXPECT_EQ(sockets, 0);
+  std::filesystem::remove_all(folder);
+}
 
 TEST(HapticProgram, records_a_hand_at_the_end_of_a_wire_and_replays_it_to_the_same_bits) {
   const std::string folder = fresh_folder("wire");

@@ -235,6 +235,8 @@ TEST(WrongInput, every_wrong_command_is_refused_with_advice) {
       {{"serve", "absent.toml"}, {"no such file"}},
       {{"serve", "ok.toml", "--device", "force_dimension"}, {"libdhd.so", "ACUS_LIBDHD"}},
       {{"serve", "ok.toml", "--force-limit", "-1"}, {"--force-limit"}},
+      {{"serve", "ok.toml", "--force-limit", "nan"}, {"--force-limit", "nan is no number"}},
+      {{"serve", "ok.toml", "--seconds", "-nan"}, {"--seconds", "-nan is no number"}},
       {{"serve", "ok.toml", "--device", "haply:x"}, {"'x' is no port"}},
       {{"serve", "ok.toml", "--device", "haply:1"}, {"port 1 cannot be reached", "start it"}},
       {{"serve", "ok.toml", "--device", "recorded"}, {"recorded:hand.acusrec"}},

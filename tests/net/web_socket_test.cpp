@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <new>
 #include <thread>
 
 #include "raw_socket.h"
@@ -153,6 +154,47 @@ TEST(WebServer, answers_a_get) {
   EXPECT_NE(found.find("\r\n\r\n{\"is\":true}"), std::string::npos) << found;
   not_there.write("GET /elsewhere HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n");
   EXPECT_NE(not_there.read_to("\r\n\r\n").find("404"), std::string::npos);
+}
+
+TEST(WebServer, loses_only_the_client_for_whom_there_is_no_memory) {
+  WebService service = echo();
+  service.serve = [serve = service.serve](WebSocket& client, const std::function<bool()>& stopping) {
+    std::string message;
+    if (client.receive(message, long_enough) == Received::message && message == "much")
+      throw std::bad_alloc();
+    serve(client, stopping);
+  };
+  const auto server = start(std::move(service));
+  const auto greedy = connect_to(*server), modest = connect_to(*server);
+  std::string message;
+  ASSERT_TRUE(greedy->send("much", long_enough));
+  EXPECT_EQ(greedy->receive(message, long_enough), Received::closed);
+  ASSERT_TRUE(modest->send("little", long_enough));
+  ASSERT_TRUE(modest->send("and more", long_enough));
+  ASSERT_EQ(modest->receive(message, long_enough), Received::message);
+  EXPECT_EQ(message, "and more");
+}
+
+// Whatever clients do without end, the server's side of it ends.
+TEST(WebServer, is_not_kept_by_clients_that_go_on_shouting) {
+  constexpr int clients = 8;  // so that there is always more to hear
+  for (const std::string& shout : {text_frame("leave"), text_frame("shout"), ping_frame()}) {
+    auto server = start(echo());
+    std::vector<std::thread> shouting;
+    for (int i = 0; i < clients; ++i)
+      shouting.emplace_back([&shout, port = server->port()] {
+        const RawSocket raw(port);
+        raw.write(socket_request(port, ""));
+        raw.read_to("\r\n\r\n");
+        std::string breath;
+        for (int k = 0; k < 10'000; ++k) breath += shout;
+        while (raw.sends(breath)) {
+        }
+      });
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    server.reset();
+    for (std::thread& one : shouting) one.join();
+  }
 }
 
 // Limits, each just kept and just not.

@@ -1,112 +1,16 @@
 // Pages at the server, over real sockets: what they are told, who leads, and what a bad one cannot do.
-#include "studio/studio_server.h"
-
 #include <gtest/gtest.h>
 
-#include <cstring>
-#include <nlohmann/json.hpp>
-#include <set>
+#include <algorithm>
 #include <thread>
 
-#include "acus/haptics/pace.h"
 #include "acus/haptics/simulated_device.h"
 #include "acus/haptics/virtual_coupling.h"
+#include "page.h"
 #include "tests/net/raw_socket.h"
 
 namespace acus::app {
 namespace {
-
-using net::WebSocket;
-using nlohmann::json;
-constexpr double long_enough = 30.0;  // s, on a machine that does much else
-
-Scene bare_column() {
-  Scene scene;
-  scene.tissue.rigid = true;
-  scene.needle.length = 0.2;
-  return scene;
-}
-
-class Running {
- public:
-  explicit Running(std::unique_ptr<Engine> engine)
-      : engine_(std::move(engine)), server_(StudioServer::start(0, *engine_).value()) {
-    thread_ = std::thread([this] { failed_ = server_->run(stop_); });
-  }
-  ~Running() {
-    stop_ = true;
-    thread_.join();
-    EXPECT_FALSE(failed_) << failed_->sentence;
-  }
-  unsigned short port() const {
-    const std::string address = server_->address();
-    return static_cast<unsigned short>(std::stoi(address.substr(std::strlen("http://127.0.0.1:"))));
-  }
-  std::string token() const { return server_->address().substr(server_->address().find("token=") + 6); }
-
- private:
-  std::unique_ptr<Engine> engine_;
-  std::unique_ptr<StudioServer> server_;
-  std::atomic<bool> stop_{false};
-  std::optional<Error> failed_;
-  std::thread thread_;
-};
-
-// A page, without a browser.
-class Page {
- public:
-  explicit Page(const Running& server) {
-    const std::string host = "127.0.0.1:" + std::to_string(server.port());
-    Result<std::unique_ptr<WebSocket>> socket =
-        WebSocket::connect("127.0.0.1", server.port(), long_enough, "/socket?token=" + server.token(),
-                           std::string("http://").append(host));
-    EXPECT_TRUE(socket) << (socket ? "" : socket.error().sentence);
-    socket_ = std::move(*socket);
-  }
-
-  bool say(const json& command) { return say_text(command.dump()); }
-  bool say_text(const std::string& text) { return socket_->send(text, long_enough); }
-
-  // The next report of a type; what comes before it is dropped, but for frames.
-  json next(const std::string& type) {
-    const double begun = haptics::monotonic_time();
-    for (std::string message; haptics::monotonic_time() - begun < long_enough && hears(message);) {
-      if (message.starts_with("1ACF")) {
-        frame_ = message;
-        continue;
-      }
-      json report = json::parse(message);
-      if (report["type"] == type) return report;
-    }
-    ADD_FAILURE() << "no " << type << " came";
-    return {};
-  }
-  // Number `column` of the next frame.
-  double number(std::size_t column) {
-    for (frame_.clear(); frame_.empty();) {
-      std::string message;
-      if (!hears(message)) break;
-      if (message.starts_with("1ACF")) frame_ = message;
-    }
-    double value = std::nan("");
-    if (frame_.size() >= 208) std::memcpy(&value, frame_.data() + 16 + 8 * column, sizeof value);
-    return value;
-  }
-  bool closed() {
-    std::string message;
-    while (hears(message)) {
-    }
-    return true;
-  }
-
- private:
-  bool hears(std::string& message) {
-    return socket_->receive(message, long_enough) == WebSocket::Received::message;
-  }
-
-  std::unique_ptr<WebSocket> socket_;
-  std::string frame_;
-};
 
 TEST(StudioServer, tells_a_page_what_there_is_and_shows_it_moving) {
   const Running server(led_engine(bare_column()));
@@ -206,6 +110,65 @@ TEST(StudioServer, shuts_the_door_on_a_page_that_shouts) {
   EXPECT_FALSE(std::isnan(quiet.number(0)));
 }
 
+TEST(StudioServer, takes_a_long_message_and_not_many) {
+  const Running server(led_engine(bare_column()));
+  Page page(server);
+  const json question = {{"type", "check"}, {"scene", std::string(900'000, '#')}};
+  EXPECT_TRUE(page.say(question));
+  page.next("expectation");
+  for (int i = 0; i < 100; ++i)
+    if (!page.say(question)) break;
+  EXPECT_TRUE(page.closed());
+}
+
+TEST(StudioServer, counts_pings_as_messages) {
+  const Running server(led_engine(bare_column()));
+  const net::RawSocket raw(server.port());
+  raw.write(net::socket_request(server.port(), server.token()));
+  raw.read_to("\r\n\r\n");
+  for (int i = 0; i < 1000 && raw.sends(net::ping_frame()); ++i) {
+  }
+  EXPECT_TRUE(raw.is_closed_within(long_enough));
+}
+
+// Who drags a slider asks faster than anybody can foretell.
+TEST(StudioServer, answers_the_last_of_many_questions_in_a_row) {
+  const Running server(led_engine(bare_column()));
+  Page page(server);
+  page.next("model");
+  constexpr int questions = 100;
+  for (int i = 1; i <= questions; ++i)
+    page.say({{"type", "check"}, {"scene", "needle.length_mm = " + std::to_string(100 + i)}});
+  const double last = 300.0;
+  int answers = 0;
+  double load = 0.0;
+  page.say({{"type", "check"}, {"scene", "needle.length_mm = " + std::to_string(last)}});
+  do {
+    load = page.next("expectation")["critical_load_N"];
+    ++answers;
+  } while (std::abs(load - 0.2854) > 1e-3 && answers < questions);
+  EXPECT_LT(answers, questions);
+}
+
+// Frames of a scene that is too heavy for this machine: it is slow, but the page is not.
+TEST(StudioServer, shows_a_heavy_scene_in_slow_motion_and_not_in_jumps) {
+  Scene heavy;
+  heavy.tissue.tetrahedra = 20'000;
+  const Running server(led_engine(heavy));
+  Page page(server);
+  constexpr std::size_t time = 0;
+  std::vector<double> jumps;
+  double before = page.number(time);
+  for (int i = 0; i < 31; ++i) {
+    const double now = page.number(time);
+    jumps.push_back(now - before);
+    before = now;
+  }
+  std::sort(jumps.begin(), jumps.end());
+  EXPECT_LT(jumps[jumps.size() / 2], 0.05);  // s; a step is 1 ms, and takes several
+  EXPECT_GT(before, 0.0);
+}
+
 TEST(StudioServer, goes_on_beside_a_page_that_never_reads) {
   const Running server(led_engine(bare_column()));
   Page deaf(server), page(server);
@@ -241,29 +204,23 @@ TEST(StudioServer, gives_its_files_to_whoever_names_it) {
   EXPECT_EQ(answer(server, "GET / HTTP/1.1\r\nHost: evil.example").substr(0, 12), "HTTP/1.1 421");
 }
 
-std::unique_ptr<Engine> engine_with_device(double force_limit) {
-  const haptics::DeviceLimits& touch = *haptics::find_device_limits("touch");
-  haptics::OpenDevice device{
-      &haptics::backends()[0],
-      std::make_unique<haptics::SimulatedDevice>(touch, haptics::light_grip, [](double time) {
-        return std::clamp(40e-3 * (time - 0.8), 0.0, 40e-3);
-      })};
-  return device_engine(std::move(device), Simulation::build(haptics::held_by(touch, bare_column())).value(),
-                       {force_limit, nullptr});
-}
+bool is_let_go(const json& loop) { return loop["gate"] == "disarmed" && loop["device_force_N"] == 0.0; }
 
 TEST(StudioServer, shows_a_device_and_takes_its_force_away) {
-  const Running server(engine_with_device(2.0));
+  const Running server(engine_with_device({2.0, {}}));
   Page page(server);
   EXPECT_EQ(page.next("hello")["device"], "3D Systems Touch (Phantom Omni)");
   json loop = page.next("loop");
   EXPECT_EQ(loop["force_limit_N"], 2.0);
-  for (int i = 0; i < 300 && loop["device_force_N"] < 0.4; ++i) loop = page.next("loop");
+  for (int i = 0; i < 300 && loop["device_force_N"] < 0.4; ++i) {
+    page.say({{"type", "arm"}});  // again where a busy machine has cost the force
+    loop = page.next("loop");
+  }
   EXPECT_EQ(loop["gate"], "armed");
   page.say({{"type", "push"}, {"travel_m", 0.0}});
   EXPECT_NE(page.next("refused")["sentence"].get<std::string>().find("the device leads"), std::string::npos);
   page.say({{"type", "disarm"}});
-  for (int i = 0; i < 300 && loop["device_force_N"] != 0.0; ++i) loop = page.next("loop");
+  for (int i = 0; i < 300 && !is_let_go(loop); ++i) loop = page.next("loop");
   EXPECT_EQ(loop["device_force_N"], 0.0);
   EXPECT_EQ(loop["gate"], "disarmed");
   page.say({{"type", "start"}, {"scene", "tissue.rigid = true\nneedle.length_mm = 150"}});
@@ -271,17 +228,63 @@ TEST(StudioServer, shows_a_device_and_takes_its_force_away) {
 }
 
 TEST(StudioServer, lets_a_devices_force_go_when_the_page_that_armed_it_falls_silent) {
-  const Running server(engine_with_device(0.0));
+  const Running server(engine_with_device({}));
   Page silent(server), watching(server);
-  silent.say({{"type", "arm"}});
   json loop = watching.next("loop");
   for (int i = 0; i < 300 && loop["device_force_N"] < 0.3; ++i) {
-    silent.say({{"type", "hold"}});
+    silent.say({{"type", "arm"}});  // again where a busy machine has cost the force
     loop = watching.next("loop");
   }
   EXPECT_GE(loop["device_force_N"], 0.3);
-  for (int i = 0; i < 300 && loop["device_force_N"] != 0.0; ++i) loop = watching.next("loop");
+  for (int i = 0; i < 300 && !is_let_go(loop); ++i) loop = watching.next("loop");
   EXPECT_EQ(loop["device_force_N"], 0.0);
+  EXPECT_EQ(loop["gate"], "disarmed");
+}
+
+TEST(StudioServer, lets_time_run_in_an_insertion_that_is_chosen_while_the_last_one_is_paused) {
+  const Running server(engine_with_device({}));
+  Page page(server);
+  page.say({{"type", "pause"}});
+  page.next("model");
+  page.say({{"type", "start"}, {"scene", "tissue.rigid = true"}});
+  page.next("model");
+  constexpr std::size_t time = 0;
+  double moment = 0.0;
+  for (int i = 0; i < 1000 && moment < 0.05; ++i) moment = page.number(time);
+  EXPECT_GE(moment, 0.05);
+}
+
+TEST(StudioServer, goes_on_with_another_insertion_after_one_that_failed) {
+  const haptics::DeviceLimits& touch = *haptics::find_device_limits("touch");
+  haptics::OpenDevice device{
+      &haptics::backends()[0],
+      std::make_unique<haptics::SimulatedDevice>(touch, haptics::light_grip, [](double) { return 0.0; })};
+  Simulation failed = Simulation::build(haptics::held_by(touch, bare_column())).value();
+  failed.step(std::nan(""));
+  const Running server(device_engine(std::move(device), std::move(failed), {}));
+  Page page(server);
+  page.next("failed");
+  page.say({{"type", "start"}, {"scene", "tissue.rigid = true\nneedle.length_mm = 150"}});
+  EXPECT_EQ(page.next("model")["needle_length_m"], 0.15);
+}
+
+// A device that is unplugged at once.
+class Lost final : public haptics::Device {
+ public:
+  const haptics::DeviceLimits& limits() const override { return *haptics::find_device_limits("touch"); }
+  std::optional<Error> serve(haptics::Tick&, const std::atomic<bool>&) override {
+    return Error{"the device was lost"};
+  }
+};
+
+TEST(StudioServer, ends_by_itself_when_the_device_is_lost) {
+  const auto engine = device_engine({&haptics::backends()[0], std::make_unique<Lost>()},
+                                    Simulation::build(bare_column()).value(), {});
+  const auto server = StudioServer::start(0, *engine).value();
+  const std::atomic<bool> never{false};
+  const std::optional<Error> failed = server->run(never);
+  ASSERT_TRUE(failed);
+  EXPECT_EQ(failed->sentence, "the device was lost");
 }
 
 }  // namespace

@@ -63,6 +63,9 @@ TEST(Command, what_is_wrong_is_said_in_a_sentence_that_names_it) {
       {R"({"type": "steady", "speed_m_s": [1]})", "\"speed_m_s\""},
       {R"({"type": "step", "steps": 0})", "\"steps\""},
       {R"({"type": "step", "steps": 1.5})", "whole"},
+      {R"({"type": "step", "steps": 1e300})", "from 1 to 100000"},
+      {R"({"type": "step", "steps": 1e400})", "is not JSON"},
+      {R"({"type": "step", "steps": NaN})", "is not JSON"},
       {R"({"type": "rate", "factor": 2})", "\"factor\""},
       {R"({"type": "rate", "factor": 0})", "\"factor\""},
   };

@@ -1,5 +1,7 @@
-// An insertion that a haptic device leads. Pages watch it, arm and disarm the force, and choose other scenes.
+// Insertions that a haptic device leads. Pages watch them, arm and disarm the force, and choose other scenes.
+#include <filesystem>
 #include <mutex>
+#include <new>
 #include <utility>
 
 #include "acus/haptics/pace.h"
@@ -15,40 +17,58 @@
 namespace acus::app {
 namespace {
 
+// Of the recordings beside `file`, the first that is not there yet: hand-2.acusrec beside hand.acusrec.
+std::string next_file(const std::string& file) {
+  const std::filesystem::path first(file);
+  for (int number = 2;; ++number) {
+    std::filesystem::path next = first;
+    next.replace_filename(first.stem().string() + "-" + std::to_string(number) + first.extension().string());
+    std::error_code unknown;
+    if (!std::filesystem::exists(next, unknown)) return next.string();
+  }
+}
+
 class DeviceEngine final : public Engine {
  public:
-  DeviceEngine(haptics::OpenDevice device, Simulation first, const DeviceSettings& settings)
-      : device_(std::move(device)), simulation_(std::move(first)), settings_(settings) {}
+  DeviceEngine(haptics::OpenDevice device, Simulation first, DeviceSettings settings)
+      : device_(std::move(device)), simulation_(std::move(first)), settings_(std::move(settings)) {}
 
   std::optional<std::string> device() const override { return device_.device->limits().title; }
+
+  std::optional<Error> begin() override {
+    return settings_.record ? record_into(*settings_.record) : std::nullopt;
+  }
 
   void take(const std::string& text) override {
     const Result<view::Command> command = view::parse_command(text);
     if (!command) return say(view::refused_report(command.error().sentence));
-    std::visit([this](const auto& one) { obey(one); }, *command);
+    try {
+      std::visit([this](const auto& one) { obey(one); }, *command);
+    } catch (const std::bad_alloc&) {
+      say(view::refused_report(view::out_of_memory));
+    }
   }
 
   void let_go() override { control_.armed = false; }
 
   std::optional<Error> run(Broadcast& broadcast, const std::atomic<bool>& stop) override {
     broadcast_ = &broadcast;
+    std::optional<Error> unrecorded;
     while (!stop) {
       broadcast.begin(view::model_report(simulation_), simulation_);
       const haptics::LoopOutcome outcome = hold(broadcast, stop);
-      if (settings_.recorder != nullptr) {
-        if (const auto failed = settings_.recorder->finish(simulation_.state_hash())) return failed;
-        settings_.recorder = nullptr;  // of one insertion
-      }
+      if (const auto failed = finish_recording()) unrecorded = failed;
       std::fputs(haptics::in_words(outcome.report).c_str(), stdout);
       if (outcome.lost) return outcome.lost;
-      if (outcome.report.health != Health::good)
-        return Error{"the simulation failed: " + std::string(complaint(outcome.report.health))};
-      const std::lock_guard lock(mutex_);
-      if (next_) simulation_ = std::move(*next_);
-      next_.reset();
-      again_ = false;
+      if (!take_next()) {
+        if (outcome.report.health != Health::good)
+          return Error{"the simulation failed: " + std::string(complaint(outcome.report.health))};
+      } else if (const auto refused = record_next()) {
+        unrecorded = refused;
+      }
+      std::fflush(stdout);
     }
-    return std::nullopt;
+    return unrecorded;
   }
 
  private:
@@ -59,7 +79,7 @@ class DeviceEngine final : public Engine {
     double stepped_to = 0.0;
     haptics::LoopSettings settings;
     settings.force_limit = settings_.force_limit;
-    settings.recorder = settings_.recorder;
+    settings.recorder = recorder_.get();
     settings.control = &control_;
     settings.announce = [](haptics::GateFault fault) {
       std::printf(
@@ -86,6 +106,45 @@ class DeviceEngine final : public Engine {
       if (const auto report = status.due(time, &loop, limit())) broadcast.status(*report);
     };
     return haptics::run_loop(*device_.device, simulation_, settings, over);
+  }
+
+  std::optional<Error> record_into(const std::string& file) {
+    auto recorder = haptics::Recorder::start(file, simulation_.scene(), "--record");
+    if (!recorder) return recorder.error();
+    recorder_ = std::move(*recorder);
+    return std::nullopt;
+  }
+
+  // What went wrong with it; the pages are told too.
+  std::optional<Error> record_next() {
+    if (!settings_.record) return std::nullopt;
+    const std::string file = next_file(*settings_.record);
+    std::optional<Error> failed = record_into(file);
+    if (failed)
+      say(view::refused_report("this insertion is not recorded: " + failed->sentence));
+    else
+      std::printf("The next insertion is recorded into %s.\n", file.c_str());
+    return failed;
+  }
+
+  // The same of the recording that ends.
+  std::optional<Error> finish_recording() {
+    if (recorder_ == nullptr) return std::nullopt;
+    std::optional<Error> failed = recorder_->finish(simulation_.state_hash());
+    recorder_.reset();
+    if (failed) say(view::refused_report(failed->sentence));
+    return failed;
+  }
+
+  // Whether somebody has chosen another insertion; then it is the present one, and its time runs.
+  bool take_next() {
+    const std::lock_guard lock(mutex_);
+    again_ = false;
+    if (!next_) return false;
+    simulation_ = std::move(*next_);
+    next_.reset();
+    control_.paused = false;
+    return true;
   }
 
   double limit() const {
@@ -122,6 +181,7 @@ class DeviceEngine final : public Engine {
   haptics::OpenDevice device_;
   Simulation simulation_;
   DeviceSettings settings_;
+  std::unique_ptr<haptics::Recorder> recorder_;  // of this insertion
   haptics::LoopControl control_;
   std::atomic<Broadcast*> broadcast_{nullptr};
   std::atomic<bool> again_{false};  // with another scene

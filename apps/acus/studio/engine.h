@@ -18,6 +18,8 @@ class Engine {
   virtual ~Engine() = default;
   // The device's title, where there is one.
   virtual std::optional<std::string> device() const { return std::nullopt; }
+  // Once, before anybody is told of it and when the port is ours. Error: it cannot do as it was asked.
+  virtual std::optional<Error> begin() { return std::nullopt; }
   // A command of whoever leads; from a client's thread.
   virtual void take(const std::string& command) = 0;
   // Nobody leads any more; from any thread.
@@ -30,8 +32,8 @@ class Engine {
 std::unique_ptr<Engine> led_engine(const Scene& scene);
 
 struct DeviceSettings {
-  double force_limit = 0.0;               // N; 0: the device's own
-  haptics::Recorder* recorder = nullptr;  // of the first insertion
+  double force_limit = 0.0;           // N; 0: the device's own
+  std::optional<std::string> record;  // file for the first insertion; those after it are recorded beside it
 };
 // `device` leads; pages watch, arm and disarm, and choose scenes.
 std::unique_ptr<Engine> device_engine(haptics::OpenDevice device, Simulation first,

@@ -1,4 +1,5 @@
 // An insertion whose hand the pages lead: the session that also runs in a browser, on a thread of its own.
+#include <algorithm>
 #include <chrono>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -32,12 +33,13 @@ class LedEngine final : public Engine {
 
   std::optional<Error> run(Broadcast& broadcast, const std::atomic<bool>& stop) override {
     constexpr std::chrono::milliseconds between(2);
+    constexpr double longest_gap = 0.1;  // s: what is not simulated of it is left out, in slow motion
     StatusClock status;
     double before = haptics::monotonic_time();
     while (!stop) {
       take_commands();
       const double now = haptics::monotonic_time();
-      const int steps = session_.advance(now - before);
+      const int steps = advance(std::min(now - before, longest_gap), now);
       const double busy = haptics::monotonic_time() - now;
       tell(broadcast);
       if (const Simulation* simulation = session_.simulation()) {
@@ -59,6 +61,15 @@ class LedEngine final : public Engine {
       commands.swap(commands_);
     }
     for (const std::string& command : commands) session_.take(command);
+  }
+
+  // Lets `seconds` pass, but not for long at a stretch: commands are to be heard, and frames shown.
+  int advance(double seconds, double now) {
+    constexpr double slice = 2e-3, at_a_stretch = 12e-3;  // s
+    int steps = 0;
+    for (; seconds > 0.0 && haptics::monotonic_time() - now < at_a_stretch; seconds -= slice)
+      steps += session_.advance(std::min(seconds, slice));
+    return steps;
   }
 
   void tell(Broadcast& broadcast) {

@@ -1,6 +1,8 @@
 #include "studio_server.h"
 
+#include <algorithm>
 #include <thread>
+#include <utility>
 
 #include "acus/haptics/pace.h"
 #include "acus/io/scene_toml.h"
@@ -12,18 +14,21 @@
 namespace acus::app {
 namespace {
 
-constexpr double patience = 5.0;        // s, with a client that does not read
-constexpr double between_looks = 4e-3;  // s
-constexpr int most_messages = 200;      // a second, of one client
+constexpr double patience = 5.0;                 // s, with a client that does not read
+constexpr double between_looks = 4e-3;           // s
+constexpr int most_messages = 200;               // a second, of one client
+constexpr std::size_t worth_a_message = 10'000;  // bytes: whoever sends long ones may send fewer
+constexpr double between_answers = 0.05;         // s: to foretell what comes of a scene takes milliseconds
 
 // How many messages a client may still send: refilled as time goes by.
 class Allowance {
  public:
   explicit Allowance(double now) : last_(now) {}
-  bool take(double now) {
+  // Whether it covers so many more.
+  bool take(long messages, double now) {
     left_ = std::min<double>(left_ + most_messages * (now - last_), most_messages);
     last_ = now;
-    left_ -= 1.0;
+    left_ -= static_cast<double>(messages);
     return left_ >= 0.0;
   }
 
@@ -49,11 +54,13 @@ Result<std::unique_ptr<StudioServer>> StudioServer::start(unsigned short port, E
   service.admits = [&s](const net::WebRequest& request) {
     return net::may_lead(request, static_cast<unsigned short>(s.port_), s.token_);
   };
+  service.gives_way = true;  // to the hand, above all
   service.serve = [&s](net::WebSocket& client, const auto& stopping) { s.serve(client, stopping); };
   Result<std::unique_ptr<net::WebServer>> server = net::WebServer::start(port, std::move(service));
   if (!server) return server.error();
   s.server_ = std::move(*server);
   s.port_ = s.server_->port();
+  if (const auto refused = engine.begin()) return *refused;
   return studio;
 }
 
@@ -62,14 +69,13 @@ std::string StudioServer::address() const {
 }
 
 std::optional<Error> StudioServer::run(const std::atomic<bool>& stop) {
-  std::thread watching([this, &stop] {  // over the lease: the engine's threads have better to do
+  // Over the lease, until the engine ends: its threads have better to do.
+  const std::jthread watching([this](const std::stop_token& over) {
     constexpr std::chrono::milliseconds between(50);
-    for (; !stop; std::this_thread::sleep_for(between))
+    for (; !over.stop_requested(); std::this_thread::sleep_for(between))
       if (lease_.lapsed(haptics::monotonic_time())) engine_.let_go();
   });
-  std::optional<Error> failed = engine_.run(broadcast_, stop);
-  watching.join();
-  return failed;
+  return engine_.run(broadcast_, stop);
 }
 
 net::WebAnswer StudioServer::answer(const net::WebRequest& request) const {
@@ -82,47 +88,63 @@ net::WebAnswer StudioServer::answer(const net::WebRequest& request) const {
   return {200, std::string(file->type), std::string(file->bytes)};
 }
 
+struct StudioServer::Visit {
+  net::WebSocket& client;
+  long number = 0;
+  std::optional<view::Check> asked;  // and not answered yet; of several the last
+  double answered = -1.0;            // s
+
+  bool say(const std::string& report) { return client.send(report, patience); }
+};
+
 void StudioServer::serve(net::WebSocket& client, const std::function<bool()>& stopping) {
-  const long number = ++clients_;
+  Visit visit{client, ++clients_, {}};
   Allowance allowance(haptics::monotonic_time());
   Broadcast::Place place = broadcast_.beginning();
   std::string message;
-  bool there = client.send(view::hello_report("serve", engine_.device()), patience);
+  long heard = 0;
+  bool there = visit.say(view::hello_report("serve", engine_.device()));
   while (there && !stopping()) {
-    switch (client.receive(message, between_looks)) {
-      case net::WebSocket::Received::closed:
-        there = false;
-        break;
-      case net::WebSocket::Received::message:
-        there = allowance.take(haptics::monotonic_time()) && hear(client, number, message);
-        break;
-      case net::WebSocket::Received::nothing:
-        break;
-    }
-    for (const std::string& report : broadcast_.reports_since(place))
-      there = there && client.send(report, patience);
+    const net::WebSocket::Received received = client.receive(message, between_looks);
+    const bool told = received == net::WebSocket::Received::message;
+    const double now = haptics::monotonic_time();
+    const long messages = client.heard() - std::exchange(heard, client.heard()),
+               parts = told ? static_cast<long>(message.size() / worth_a_message) : 0;
+    there = received != net::WebSocket::Received::closed && allowance.take(messages + parts, now) &&
+            (!told || hear(visit, message)) && foretell(visit);
+    for (const Broadcast::Report& report : broadcast_.reports_since(place))
+      there = there && visit.say(*report);
     if (const auto status = broadcast_.status_since(place))
-      there = there && client.send(with_owner(*status, lease_.is_open_to(number, haptics::monotonic_time())),
-                                   patience);
+      there = there && visit.say(with_owner(*status, lease_.is_open_to(visit.number, now)));
     if (there && broadcast_.frame_since(place, message)) there = client.send_bytes(message, patience);
   }
-  lease_.give_back(number);
+  lease_.give_back(visit.number);
 }
 
 // False when the client is to go.
-bool StudioServer::hear(net::WebSocket& client, long number, const std::string& message) {
-  const Result<view::Command> command = view::parse_command(message);
-  if (!command) return client.send(view::refused_report(command.error().sentence), patience);
-  if (const auto* check = std::get_if<view::Check>(&*command)) {
-    const Result<Scene> scene = io::parse_scene(check->scene.toml, "scene", check->scene.settings);
-    return client.send(
-        scene ? view::expectation_report(*scene) : view::refused_report(scene.error().sentence), patience);
+bool StudioServer::hear(Visit& visit, const std::string& message) {
+  Result<view::Command> command = view::parse_command(message);
+  if (!command) return visit.say(view::refused_report(command.error().sentence));
+  if (auto* check = std::get_if<view::Check>(&*command)) {
+    visit.asked = std::move(*check);
+    return true;
   }
-  if (!lease_.take(number, haptics::monotonic_time()))
-    return client.send(
-        view::refused_report("another page leads; it is your turn a second after it has let go"), patience);
+  if (!lease_.take(visit.number, haptics::monotonic_time()))
+    return visit.say(
+        view::refused_report("another page leads; it is your turn a second after it has let go"));
   if (!std::holds_alternative<view::Hold>(*command)) engine_.take(message);
   return true;
+}
+
+// What would come of the scene that was asked about, unless the last answer was given just now.
+bool StudioServer::foretell(Visit& visit) {
+  if (!visit.asked || haptics::monotonic_time() - visit.answered < between_answers) return true;
+  const Result<Scene> scene = io::parse_scene(visit.asked->scene.toml, "scene", visit.asked->scene.settings);
+  const bool there =
+      visit.say(scene ? view::expectation_report(*scene) : view::refused_report(scene.error().sentence));
+  visit.asked.reset();
+  visit.answered = haptics::monotonic_time();
+  return there;
 }
 
 }  // namespace acus::app

@@ -15,7 +15,8 @@ namespace acus::app {
 
 class StudioServer {
  public:
-  // At port 0 any that is free. `engine` must outlive it. Error: the port is taken.
+  // At port 0 any that is free. `engine` must outlive it. Error: the port is taken, or the engine
+  // cannot begin.
   static Result<std::unique_ptr<StudioServer>> start(unsigned short port, Engine& engine);
 
   // What a person opens; with the token, so it is for the terminal and nothing else.
@@ -28,7 +29,9 @@ class StudioServer {
   explicit StudioServer(Engine& engine);
   net::WebAnswer answer(const net::WebRequest& request) const;
   void serve(net::WebSocket& client, const std::function<bool()>& stopping);
-  bool hear(net::WebSocket& client, long number, const std::string& message);
+  struct Visit;
+  bool hear(Visit& visit, const std::string& message);
+  bool foretell(Visit& visit);
 
   Engine& engine_;
   Broadcast broadcast_;

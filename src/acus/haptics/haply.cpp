@@ -99,9 +99,11 @@ class Haply final : public Device {
     return std::nullopt;
   }
 
-  // Sends a force and takes the state that answers it; replies that came late are read first and forgotten.
+  // Sends a force and takes the state that answers it; replies that came late are read first and forgotten,
+  // but no service that talks without end keeps us.
   bool ask(const Vec3& force, double wait) {
-    while (hear(0.0)) {
+    constexpr int most = 100;
+    for (int late = 0; late < most && hear(0.0); ++late) {
     }
     over_ = over_ || !service_.socket->send(
                          haply::force_message(service_.known, force, std::exchange(first_, false)), patience);

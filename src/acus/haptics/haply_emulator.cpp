@@ -24,6 +24,7 @@ constexpr double between_looks = 20e-3;  // s, at whether to stop
 constexpr double lateness = 8e-3;        // s
 constexpr long one_in = 5;               // replies
 constexpr std::size_t longest_transcript = 400;
+constexpr std::size_t most_commands = 1'000'000;  // that are kept: of a quarter of an hour
 
 constexpr std::array<std::pair<const char*, HaplyFaultKind>, 6> fault_names{{
     {"late", HaplyFaultKind::late},
@@ -132,6 +133,11 @@ class HaplyEmulator::Service {
     return commands_;
   }
 
+  long came() const {
+    const std::lock_guard lock(mutex_);
+    return came_;
+  }
+
   std::vector<std::string> transcript() const {
     const std::lock_guard lock(mutex_);
     return transcript_;
@@ -208,7 +214,8 @@ class HaplyEmulator::Service {
       const std::lock_guard lock(mutex_);
       force_ = {force.at("x").get<double>(), force.at("y").get<double>(), force.at("z").get<double>()};
       handle_.command(force_);
-      commands_.push_back({handle_.time(), force_, handle_.position()});
+      ++came_;
+      if (commands_.size() < most_commands) commands_.push_back({handle_.time(), force_, handle_.position()});
     } catch (const ordered_json::exception&) {
     }
   }
@@ -246,6 +253,7 @@ class HaplyEmulator::Service {
   double begin_ = -1.0;  // s, of the first message; negative before
   int sessions_ = 0;
   std::vector<HaplyCommand> commands_;
+  long came_ = 0;  // commands, kept or not
   std::vector<std::string> transcript_;
   std::unique_ptr<net::WebServer> server_;  // last: its threads use the others
 };
@@ -261,6 +269,7 @@ Result<std::unique_ptr<HaplyEmulator>> HaplyEmulator::start(HaplyEmulatorSetting
 
 unsigned short HaplyEmulator::port() const { return service_->port(); }
 std::vector<HaplyCommand> HaplyEmulator::commands() const { return service_->commands(); }
+long HaplyEmulator::came() const { return service_->came(); }
 std::vector<std::string> HaplyEmulator::transcript() const { return service_->transcript(); }
 
 }  // namespace acus::haptics

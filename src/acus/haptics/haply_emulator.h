@@ -54,8 +54,9 @@ class HaplyEmulator {
   ~HaplyEmulator();
 
   unsigned short port() const;
-  // All commands so far.
+  // The commands so far, of a quarter of an hour at most; and how many came.
   std::vector<HaplyCommand> commands() const;
+  long came() const;
   // The messages of the first client and the answers to them, in order; "< " before what came, "> " before
   // what was sent. The first few hundred.
   std::vector<std::string> transcript() const;

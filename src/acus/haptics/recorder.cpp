@@ -6,6 +6,8 @@
 #include <fstream>
 #include <utility>
 
+#include "acus/io/replay.h"
+
 namespace acus::haptics {
 namespace {
 
@@ -36,6 +38,13 @@ Result<std::unique_ptr<Recorder>> Recorder::start(const std::string& path, const
   Result<io::AppendFile> file = io::AppendFile::create(path, beginning, option);
   if (!file) return file.error();
   return std::unique_ptr<Recorder>(new Recorder(path, std::move(file).value(), checksum, sizes));
+}
+
+Result<std::unique_ptr<Recorder>> Recorder::start(const std::string& path, const Scene& scene,
+                                                  const std::string& option) {
+  const Result<io::RecordedScene> recorded = io::recorded_scene(scene);
+  if (!recorded) return recorded.error();
+  return start(path, *recorded, option);
 }
 
 Recorder::Recorder(std::string path, io::AppendFile file, std::uint32_t checksum, RecorderSizes sizes)

@@ -19,6 +19,7 @@
 #include "acus/haptics/ring.h"
 #include "acus/io/append_file.h"
 #include "acus/io/recording.h"
+#include "acus/sim/scene.h"
 
 namespace acus::haptics {
 
@@ -36,6 +37,8 @@ class Recorder {
   // other file is refused. `option` is what a user types to choose another name.
   static Result<std::unique_ptr<Recorder>> start(const std::string& path, const io::RecordedScene& scene,
                                                  const std::string& option, RecorderSizes sizes = {});
+  static Result<std::unique_ptr<Recorder>> start(const std::string& path, const Scene& scene,
+                                                 const std::string& option);
   // Without finish() the recording has no end: a session that was broken off.
   ~Recorder();
 

@@ -2,6 +2,8 @@
 // operation is begun and the context of its connection is run until it is done or patience has ended.
 #include "acus/net/web_socket.h"
 
+#include <sys/resource.h>
+
 #include <atomic>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
@@ -10,7 +12,9 @@
 #include <boost/beast/websocket.hpp>
 #include <chrono>
 #include <list>
+#include <new>
 #include <optional>
+#include <system_error>
 #include <thread>
 
 namespace acus::net {
@@ -46,6 +50,7 @@ struct WebSocket::Connection {
   beast::flat_buffer incoming;
   bool reading = false, over = false;
   std::optional<beast::error_code> read;  // how the read that was begun ended
+  long heard = 0;                         // messages, pings and pongs
 
   Connection() {
     stream.read_message_max(longest_message);
@@ -53,15 +58,19 @@ struct WebSocket::Connection {
     websocket::stream_base::timeout never{};
     never.handshake_timeout = never.idle_timeout = websocket::stream_base::none();
     stream.set_option(never);
+    stream.control_callback([this](websocket::frame_type, beast::string_view) { ++heard; });
   }
 
-  // Runs what was begun until `done` or the deadline; false at the deadline.
+  // Runs what was begun until `done` or the deadline; false at the deadline. What is ready then is still
+  // taken, but whoever always has more ready does not keep us.
   template <class Done>
   bool run_until(Clock::time_point deadline, Done done) {
-    while (!done()) {
+    constexpr int a_message = 16;  // handlers that one of them takes, and some
+    for (int late = 0; !done();) {
       context.restart();
-      // What is ready is taken even when patience has ended.
-      if (context.poll_one() == 0 && context.run_one_until(deadline) == 0 && Clock::now() >= deadline)
+      if (Clock::now() < deadline)
+        context.run_one_until(deadline);
+      else if (++late > a_message || context.poll_one() == 0)
         return done();
     }
     return true;
@@ -161,8 +170,11 @@ WebSocket::Received WebSocket::receive(std::string& message, double patience) {
   const asio::const_buffer bytes = c.incoming.data();
   message.assign(static_cast<const char*>(bytes.data()), bytes.size());
   c.incoming.consume(bytes.size());
+  ++c.heard;
   return Received::message;
 }
+
+long WebSocket::heard() const { return connection_->heard; }
 
 struct WebServer::Listener {
   WebService service;
@@ -191,6 +203,8 @@ struct WebServer::Listener {
   }
 
   void accept_until_stopped() {
+    constexpr int niceness = 10;  // of 19; a page's share of a busy processor is then a tenth
+    if (service.gives_way) setpriority(PRIO_PROCESS, 0, niceness);  // of this thread, and those it starts
     while (!stopping) {
       auto connection = std::make_unique<WebSocket::Connection>();
       std::optional<beast::error_code> come;
@@ -212,10 +226,17 @@ struct WebServer::Listener {
 
   void receive(std::unique_ptr<WebSocket::Connection> connection) {
     Visit& visit = visits.emplace_back();
-    visit.thread = std::thread([this, &visit, c = std::move(connection)]() mutable {
-      visit_by(std::move(c));
-      visit.over = true;
-    });
+    try {
+      visit.thread = std::thread([this, &visit, c = std::move(connection)]() mutable {
+        try {
+          visit_by(std::move(c));
+        } catch (const std::bad_alloc&) {  // this client goes, the others stay
+        }
+        visit.over = true;
+      });
+    } catch (const std::system_error&) {  // no more threads or memory: turned away
+      visits.pop_back();
+    }
   }
 
   void visit_by(std::unique_ptr<WebSocket::Connection> connection) {

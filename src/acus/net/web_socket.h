@@ -29,6 +29,8 @@ class WebSocket {
   enum class Received { message, nothing, closed };
   // Waits for a message, for `patience` [s] at most; one that is there already is taken at once.
   Received receive(std::string& message, double patience);
+  // How many messages, pings and pongs have come so far.
+  long heard() const;
 
   WebSocket(const WebSocket&) = delete;
   WebSocket& operator=(const WebSocket&) = delete;
@@ -58,6 +60,8 @@ struct WebService {
   std::function<bool(const WebRequest& request)> admits;
   // A client for as long as it lasts; returns when it is closed, or soon after `stopping()` has become true.
   std::function<void(WebSocket& client, const std::function<bool()>& stopping)> serve;
+  // Whether its threads leave the processors to whatever else needs them.
+  bool gives_way = false;
 };
 
 // Listens on this machine alone (127.0.0.1). At most 16 clients at a time: a further one is turned away. A

@@ -42,9 +42,8 @@ class Members {
 
   int whole(const char* name, int least, int most) {
     const double value = number(name, least, most);
-    if (value == std::floor(value)) return static_cast<int>(value);
-    complain(name, "must be a whole number");
-    return least;
+    if (value != std::floor(value)) complain(name, "must be a whole number");
+    return wrong_.empty() ? static_cast<int>(value) : least;
   }
 
   SceneChoice scene() {

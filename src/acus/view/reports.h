@@ -16,5 +16,8 @@ std::string expectation_report(const Scene& scene);
 std::string event_report(const Event& event);
 std::string refused_report(const std::string& sentence);
 std::string failed_report(const std::string& sentence);
+// What `refused` says to a scene that is too large.
+inline constexpr const char* out_of_memory =
+    "there is not enough memory for this; ask for fewer tissue.tetrahedra";
 
 }  // namespace acus::view

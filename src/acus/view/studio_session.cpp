@@ -72,7 +72,7 @@ void StudioSession::take(std::string_view command) {
   try {
     std::visit(Taker{*this}, *parsed);
   } catch (const std::bad_alloc&) {
-    refuse("there is not enough memory for this; ask for fewer tissue.tetrahedra");
+    refuse(out_of_memory);
   }
 }
 

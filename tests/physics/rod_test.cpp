@@ -110,6 +110,45 @@ TEST(RodInTissue, goes_out_and_in_again_through_its_channel) {
             1);
 }
 
+// A hub led aside and turned, against the beam clamped at the hub and pinned at the tip: an offset d asks for
+// the force 3 EI d / L^3 and the moment 3 EI d / L^2, a turn by an angle for 3 EI angle / L^2 and 3 EI angle
+// / L.
+TEST(RodHub, feels_the_force_and_moment_of_a_beam) {
+  Scene scene = in_testing_machine(Support::clamped_pinned, 0.1);
+  scene.needle.imperfection = 0.0;
+  const double L = scene.needle.length, EI = needle::bending_rigidity(scene.needle);
+  for (const bool turned : {false, true}) {
+    auto simulation = Simulation::build(scene);
+    ASSERT_TRUE(simulation.ok());
+    needle::Pose hub = simulation->hub();
+    hub.position += 0.05e-6 * simulation->direction();  // the tip rests on the stop
+    simulation->step(hub);
+    const Vec3 tangent = hub.tangent, aside = hub.director;
+    const double most = turned ? 0.5e-3 : 0.05e-3;  // rad, m
+    for (int i = 1; i <= 1500; ++i) {
+      const double now = most * std::min(1.0, i / 500.0);
+      needle::Pose led = hub;
+      if (turned) {
+        led.tangent = (tangent + now * aside).normalized();
+        led.director = (aside - now * tangent).normalized();
+      } else {
+        led.position += now * aside;
+      }
+      simulation->step(led);
+    }
+    const Frame& f = simulation->frame();
+    const double force = 3.0 * EI * most / (turned ? L * L : L * L * L),
+                 moment = 3.0 * EI * most / (turned ? L : L * L);
+    const double tilted =
+        turned ? 0.0 : f.hand_force * most / L;  // what presses the tip down no longer points at it
+    EXPECT_NEAR(f.hub_force.dot(aside) + tilted, force, 0.01 * force) << turned;
+    EXPECT_NEAR(f.hub_moment.norm(), moment, 0.02 * moment) << turned;
+    EXPECT_LT(std::abs(f.energy_residual), 1e-4 * f.ledger.work_hand);
+    EXPECT_NEAR(f.ledger.energy_needle, 0.5 * (turned ? moment : force) * most, 0.03 * f.ledger.energy_needle)
+        << turned;
+  }
+}
+
 // Second buckling loads of an independent program (../data: Euler-Bernoulli beam of 160 elements, lateral
 // stiffness condensed from the tetrahedra of the mesh, near field with beta = 0.3). Nothing is cut; dry
 // friction carries all of the load, so the axial force falls linearly along what is inside.

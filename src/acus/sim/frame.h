@@ -1,6 +1,7 @@
 // Frame: what is seen of one step from outside. All SI; forces are positive when they push the hand back out.
 #pragma once
 
+#include "acus/base/vec.h"
 #include "acus/force/ledger.h"
 
 namespace acus {
@@ -21,6 +22,10 @@ struct Frame {
   double free_length = 0.0;      // m, of needle outside tissue
   double critical_load = 0.0;    // N, closed form on the present free length
   double deflection = 0.0;       // m, largest lateral distance of the free part from the line hub-entry
+  // What the hand has to do on the hub of a rod, about the hub's place; hand_force is the part along the
+  // path.
+  Vec3 hub_force{0.0, 0.0, 0.0};   // N
+  Vec3 hub_moment{0.0, 0.0, 0.0};  // N m
   Stage stage = Stage::free;
   force::Ledger ledger;          // J
   double energy_residual = 0.0;  // J

@@ -256,7 +256,7 @@ double hub_stiffness(const Model& m, const State& s, Scratch& w) {
   const double h = m.scene.run.time_step;
   needle::RodMotion& motion = w.rod.motion;
   const Vec3& along = m.path.direction;
-  load_rod(m, s, w, hub_pose(m, s.hub_travel), 1.0);
+  load_rod(m, s, w, s.needle.hub, 1.0);
   // The hub's column of the matrix: what the rod is asked when node 0 goes along the path at unit rate.
   std::vector<double>& hub_column = motion.residual;
   std::fill(hub_column.begin(), hub_column.end(), 0.0);

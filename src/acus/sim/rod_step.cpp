@@ -1,7 +1,9 @@
 #include "acus/sim/rod_step.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "acus/numeric/circular.h"
 #include "acus/sim/rod_contact.h"
 #include "acus/sim/rod_solve.h"
 #include "acus/sim/stage.h"
@@ -13,13 +15,22 @@ namespace {
 // What the end of a step must know of its beginning.
 struct Before {
   TissueBefore tissue;
-  Vec3 hub{0.0, 0.0, 0.0};  // m, node 0
+  Vec3 node{0.0, 0.0, 0.0};  // m, node 0
+  needle::Pose hub;
   double rod_energy = 0.0;  // J
 };
 
+// rad, about the axis it points along: the turn from one pose to another, less than a right angle.
+Vec3 turn_between(const needle::Pose& from, const needle::Pose& to) {
+  const Vec3 sine = 0.5 * (from.tangent.cross(to.tangent) + from.director.cross(to.director) +
+                           from.tangent.cross(from.director).cross(to.tangent.cross(to.director)));
+  const double size = std::min(sine.norm(), 1.0);
+  return size > 0.0 ? Vec3(numeric::asin(size) / size * sine) : sine;
+}
+
 // Rod's lines of the ledger, exact identities of implicit Euler: what its forces at the end do over the step,
 // less what its energy has changed by, is lost, and so is the inertia of the change of rate.
-void account_rod(const Model& m, State& s, const Scratch& w, const Before& before, const Vec3& hub_force) {
+void account_rod(const Model& m, State& s, const Scratch& w, const Before& before, const Frame& frame) {
   const needle::RodMotion& motion = w.rod.motion;
   const double h = m.scene.run.time_step;
   double elastic_work = 0.0, lost_inertia = 0.0;
@@ -28,11 +39,13 @@ void account_rod(const Model& m, State& s, const Scratch& w, const Before& befor
     const double change = s.needle.rod.rate[i] - motion.rate_before[i];
     lost_inertia += 0.5 * needle::inertia(m.rod, i) * change * change;
   }
+  const double turning_work = frame.hub_moment.dot(turn_between(before.hub, s.needle.hub));
+  elastic_work -= turning_work;
   const double energy = needle::total(motion.energy);
   s.ledger.work_numerical += lost_inertia - elastic_work - (energy - before.rod_energy);
   s.ledger.energy_needle = energy;
   s.ledger.energy_kinetic += 0.5 * needle::inertia_product(m.rod, s.needle.rod.rate);
-  s.ledger.work_hand += hub_force.dot(s.needle.rod.position[0] - before.hub);
+  s.ledger.work_hand += frame.hub_force.dot(s.needle.rod.position[0] - before.node) + turning_work;
 }
 
 Health health_of(const Model& m, const State& s, const RodPlace& place) {
@@ -43,11 +56,12 @@ Health health_of(const Model& m, const State& s, const RodPlace& place) {
 
 }  // namespace
 
-void advance_rod(const Model& m, State& s, Scratch& w, const needle::Pose& hub, double hand_travel,
-                 Frame& frame, std::vector<Event>& events, const StepProbe& probe) {
+void advance_rod(const Model& m, State& s, Scratch& w, const needle::Pose& hub, Frame& frame,
+                 std::vector<Event>& events, const StepProbe& probe) {
   Before before;
   before.tissue.energy = w.corotation.energy;
-  before.hub = s.needle.rod.position[0];
+  before.node = s.needle.rod.position[0];
+  before.hub = s.needle.hub;
   before.rod_energy = s.ledger.energy_needle;
   touch_rod(m, s, w);
   probe(StepPart::touch);
@@ -62,6 +76,9 @@ void advance_rod(const Model& m, State& s, Scratch& w, const needle::Pose& hub, 
     return;
   }
   frame.solver_iterations = solved.iterations;
+  frame.hub_force = solved.hub_force;
+  frame.hub_moment = needle::hub_moment(m.rod, s.needle.rod, hub);
+  s.needle.hub = hub;
   probe(StepPart::solve);
   if (!m.rigid()) {
     move_tissue(m, s, w, before.tissue, probe);
@@ -76,11 +93,11 @@ void advance_rod(const Model& m, State& s, Scratch& w, const needle::Pose& hub, 
   s.punctured = s.punctured || observed.ruptured_now;
   observed.through_now = cut_along_tip(m, s, tip.slip);
   probe(StepPart::cutting);
-  account_rod(m, s, w, before, solved.hub_force);
+  account_rod(m, s, w, before, frame);
 
   ++s.steps;
   const Vec3& along = m.path.direction;
-  s.hub_travel = hand_travel + along.dot(s.needle.rod.position[0] - hub.position);
+  s.hub_travel = along.dot(s.needle.rod.position[0] - m.path.entry) + m.scene.needle.length;
   s.tip_position = along.dot(s.needle.rod.position.back() - m.path.entry);
   const RodPlace place = place_rod(m, s);
   observed.hand_force = solved.hub_force.dot(along);

@@ -10,9 +10,9 @@
 
 namespace acus {
 
-// As `advance` of step.h; the hub ends the step at `hub`, of which the travel along the path is `hand_travel`
-// [m].
-void advance_rod(const Model& model, State& state, Scratch& scratch, const needle::Pose& hub,
-                 double hand_travel, Frame& frame, std::vector<Event>& events, const StepProbe& probe = {});
+// As `advance` of step.h. The hub ends the step at `hub`, turned by less than a right angle in the step; a
+// grip lets node 0 stay behind along the path.
+void advance_rod(const Model& model, State& state, Scratch& scratch, const needle::Pose& hub, Frame& frame,
+                 std::vector<Event>& events, const StepProbe& probe = {});
 
 }  // namespace acus

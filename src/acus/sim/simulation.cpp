@@ -49,8 +49,7 @@ const Frame& Simulation::step(double hand_travel) {
   if (!std::isfinite(hand_travel))
     p.frame.health = Health::not_finite;
   else if (p.model.bends_freely())
-    advance_rod(p.model, p.state, p.scratch, hub_pose(p.model, hand_travel), hand_travel, p.frame, p.events,
-                p.probe);
+    advance_rod(p.model, p.state, p.scratch, hub_pose(p.model, hand_travel), p.frame, p.events, p.probe);
   else
     advance(p.model, p.state, p.scratch, hand_travel, p.frame, p.events, p.probe);
   return p.frame;
@@ -69,6 +68,19 @@ double Simulation::hand_stiffness() {
   const double both = against + p.model.scene.run.time_step * column;
   return both > 0.0 ? column * against / both : 0.0;
 }
+
+const Frame& Simulation::step(const needle::Pose& hub) {
+  Parts& p = *parts_;
+  if (!p.model.bends_freely()) return step(direction().dot(hub.position - entry()) + scene().needle.length);
+  if (p.frame.health != Health::good) return p.frame;
+  if (hub.position.allFinite() && hub.tangent.allFinite() && hub.director.allFinite())
+    advance_rod(p.model, p.state, p.scratch, hub, p.frame, p.events, p.probe);
+  else
+    p.frame.health = Health::not_finite;
+  return p.frame;
+}
+
+needle::Pose Simulation::hub() const { return parts_->state.needle.hub; }
 
 void Simulation::set_probe(const StepProbe& probe) { parts_->probe = probe; }
 

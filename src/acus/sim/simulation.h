@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "acus/mesh/tet_mesh.h"
+#include "acus/needle/rod.h"
 #include "acus/sim/frame.h"
 #include "acus/sim/scene.h"
 #include "acus/sim/step_probe.h"
@@ -22,6 +23,12 @@ class Simulation {
   // Advances one time step; the hand ends it at `hand_travel` [m], and so does the hub unless the scene's
   // grip gives way. Allocates nothing.
   const Frame& step(double hand_travel);
+
+  // The same for a hub that is led in all six degrees of freedom: where it is, which way the needle lies in
+  // it, and how it is turned about its axis (unit vectors across each other; a step turns it by less than a
+  // right angle). A column takes the part along the path.
+  const Frame& step(const needle::Pose& hub);
+  needle::Pose hub() const;  // where the hub is held now
 
   // How hand_force of the last step would have changed with the hand's travel, N/m: the tangent over one time
   // step, inertia and damping of the tissue included. 0 before the first step. Costs iterations; allocates

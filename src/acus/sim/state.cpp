@@ -38,7 +38,8 @@ State initial_state(const Model& m) {
   // The hand may start before first touch; the tip is as far away then.
   s.hub_travel = s.tip_position = s.tip_elongation = start_travel(m.scene.hand);
   s.energy_force = force::EnergyForce(s.hub_travel);
-  if (m.bends_freely()) s.needle.rod = needle::unloaded_rod(m.rod, hub_pose(m, s.hub_travel));
+  s.needle.hub = hub_pose(m, s.hub_travel);
+  if (m.bends_freely()) s.needle.rod = needle::unloaded_rod(m.rod, s.needle.hub);
   s.needle.channel_end = m.path.entry;
   if (m.rigid()) return s;
   s.position = m.mesh.nodes;

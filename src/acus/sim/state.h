@@ -12,6 +12,7 @@ namespace acus {
 // A needle that is a rod, and the channel that its tip has cut: straight or not, as the tip went.
 struct RodNeedle {
   needle::RodState rod;
+  needle::Pose hub;                  // where it is held now
   coupling::Channel channel;         // as far as it is cut
   std::vector<Vec3> cell_point;      // m, at rest, [cells]
   std::vector<double> cell_lateral;  // N/m^2, of the near field, [cells]

@@ -80,4 +80,13 @@ TEST(Buckling, lateral_spring_leads_from_a_free_tip_to_a_pinned_one) {
   EXPECT_NEAR((load(weak) - load(0.0)) / (8.0 * weak * length / (pi * pi)), 1.0, 1e-3);
 }
 
+// 22 G, regular wall: 0.7176 mm outside, 0.413 mm inside. I = pi (0.7176^4 - 0.413^4) / 64 = 0.011589 mm^4.
+TEST(Buckling, tube_is_softer_than_a_rod_by_its_bore) {
+  NeedleSpec tube;
+  tube.radius = 0.3588e-3;
+  tube.inner_radius = 0.2065e-3;
+  EXPECT_NEAR(bending_rigidity(tube), 200e9 * 0.011589e-12, 1e-4 * bending_rigidity(tube));
+  EXPECT_NEAR(section_area(tube), 0.27048e-6, 1e-4 * section_area(tube));  // pi (0.7176^2 - 0.413^2) / 4
+}
+
 }  // namespace

@@ -14,7 +14,8 @@ inline constexpr std::array all_supports = {Support::pinned_pinned, Support::cla
 // Defaults are the steel needle of the paper's Table I.
 struct NeedleSpec {
   double length = 0.2;            // m, hub to tip, stress-free
-  double radius = 0.3e-3;         // m, solid round section
+  double radius = 0.3e-3;         // m, of the round section
+  double inner_radius = 0.0;      // m, of the bore; 0: solid
   double youngs_modulus = 200e9;  // Pa
   double density = 7850.0;        // kg/m^3, stainless steel
   Support support = Support::clamped_pinned;
@@ -24,10 +25,14 @@ struct NeedleSpec {
 // A free part shorter than this many radii is a stub, not a column; what follows holds only above it.
 inline constexpr double shortest_column = 10.0;
 
-// Symbols: A = pi r^2 [m^2], I = pi r^4 / 4 [m^4].
-inline double section_area(const NeedleSpec& n) { return std::numbers::pi * n.radius * n.radius; }
-inline double bending_rigidity(const NeedleSpec& n) {
-  return n.youngs_modulus * std::numbers::pi * n.radius * n.radius * n.radius * n.radius / 4.0;  // EI, N m^2
+// Symbols: A = pi (r^2 - b^2) [m^2], I = pi (r^4 - b^4) / 4 [m^4], b the bore's radius.
+inline double section_area(const NeedleSpec& n) {
+  const auto disc = [](double r) { return std::numbers::pi * r * r; };
+  return disc(n.radius) - disc(n.inner_radius);
+}
+inline double bending_rigidity(const NeedleSpec& n) {  // EI, N m^2
+  const auto solid = [&](double r) { return n.youngs_modulus * std::numbers::pi * r * r * r * r / 4.0; };
+  return solid(n.radius) - solid(n.inner_radius);
 }
 inline double axial_rigidity(const NeedleSpec& n) { return n.youngs_modulus * section_area(n); }  // EA, N
 inline double mass(const NeedleSpec& n) { return n.density * section_area(n) * n.length; }        // kg

@@ -55,6 +55,10 @@ Complaint needle_complaint(const Scene& scene) {
   if (needle.length < least_slenderness * needle.radius)
     return "needle.radius_mm must be at most 1/20 of needle.length_mm, which allows " +
            in_mm(needle.length / least_slenderness) + ", but is " + in_mm(needle.radius);
+  constexpr double thinnest_wall = 0.01;  // of the radius: thinner, it dents before it bends
+  if (needle.inner_radius > (1.0 - thinnest_wall) * needle.radius)
+    return "needle.inner_radius_mm must be at most 0.99 of needle.radius_mm, which allows " +
+           in_mm((1.0 - thinnest_wall) * needle.radius) + ", but is " + in_mm(needle.inner_radius);
   if (needle.imperfection > largest_bow * needle.length)
     return "needle.imperfection_mm must be at most 1/100 of needle.length_mm, which allows " +
            in_mm(largest_bow * needle.length) + ", but is " + in_mm(needle.imperfection);
@@ -135,7 +139,7 @@ Complaint hand_complaint(const Scene& scene) {
 double stiffest_contact(const Scene& scene) {
   const needle::NeedleSpec& needle = scene.needle;
   double give = grip_compliance(scene.hand);
-  give += needle.length / (needle.youngs_modulus * std::numbers::pi * needle.radius * needle.radius);
+  give += needle.length / needle::axial_rigidity(needle);
   if (!scene.tissue.rigid) give += 1.0 / scene.contact.stiffness;
   return 1.0 / give;
 }

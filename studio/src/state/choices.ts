@@ -9,6 +9,7 @@ export interface Control {
   step: number;
   digits: number;
   help?: string;
+  also?: Record<string, number>; // what a change of it settles too
 }
 
 export interface Preset {
@@ -19,7 +20,7 @@ export interface Preset {
 
 export const needleControls: Control[] = [
   { key: 'needle.length_mm', label: 'Length', unit: 'mm', least: 40, most: 400, step: 5, digits: 0 },
-  { key: 'needle.radius_mm', label: 'Radius', unit: 'mm', least: 0.1, most: 1, step: 0.005, digits: 3 },
+  { key: 'needle.radius_mm', label: 'Radius', unit: 'mm', least: 0.1, most: 1.1, step: 0.005, digits: 3, help: 'solid; gauges are tubes', also: { 'needle.inner_radius_mm': 0 } },
 ];
 export const tissueControls: Control[] = [
   { key: 'tissue.youngs_modulus_kPa', label: 'Stiffness', unit: 'kPa', least: 1, most: 100, step: 0.5, digits: 1, help: 'Young’s modulus' },
@@ -30,21 +31,33 @@ export const contactControls: Control[] = [
   { key: 'contact.friction_N_m', label: 'Friction', unit: 'N/m', least: 0, most: 200, step: 1, digits: 0, help: 'dry friction per inserted length' },
 ];
 
-// Outer radii of hypodermic tube, ISO 9626:2016, nominal.
-const gauge = (g: number, outer: number): Preset => ({
-  words: `${g} G, ${outer} mm`,
-  settings: { 'needle.radius_mm': outer / 2 },
-  source: 'ISO 9626:2016, outer diameter; solid here',
-});
+// Hypodermic tube, regular wall: nominal outer and inner diameter, mm, of the needle gauge comparison chart (after the
+// Birmingham wire gauge; ISO 9626 rounds them to metric sizes).
+const tubes: [gauge: number, outer: number, inner: number][] = [
+  [14, 2.108, 1.6],
+  [16, 1.651, 1.194],
+  [17, 1.473, 1.067],
+  [18, 1.27, 0.838],
+  [19, 1.067, 0.686],
+  [20, 0.9081, 0.603],
+  [21, 0.8192, 0.514],
+  [22, 0.7176, 0.413],
+  [23, 0.6414, 0.337],
+  [24, 0.5652, 0.311],
+  [25, 0.5144, 0.26],
+  [26, 0.4636, 0.26],
+  [27, 0.4128, 0.21],
+  [28, 0.362, 0.184],
+  [29, 0.3366, 0.184],
+  [30, 0.3112, 0.159],
+];
 export const gauges: Preset[] = [
-  { words: 'paper’s, 0.6 mm', settings: { 'needle.radius_mm': 0.3 }, source: 'Table I; 23 to 24 G' },
-  gauge(18, 1.27),
-  gauge(20, 0.91),
-  gauge(21, 0.82),
-  gauge(22, 0.72),
-  gauge(23, 0.64),
-  gauge(25, 0.51),
-  gauge(27, 0.41),
+  { words: 'paper’s, 0.6 mm', settings: { 'needle.radius_mm': 0.3, 'needle.inner_radius_mm': 0 }, source: 'Table I, solid; 23 to 24 G outside' },
+  ...tubes.map(([gauge, outer, inner]) => ({
+    words: `${gauge} G, ${outer.toFixed(2)} mm`,
+    settings: { 'needle.radius_mm': outer / 2, 'needle.inner_radius_mm': inner / 2 },
+    source: `tube with a bore of ${inner.toFixed(2)} mm; needle gauge chart, regular wall`,
+  })),
 ];
 
 export const materials: Preset[] = [
@@ -52,6 +65,12 @@ export const materials: Preset[] = [
   { words: 'Titanium alloy, 114 GPa', settings: { 'needle.youngs_modulus_GPa': 114, 'needle.density_kg_m3': 4430 }, source: 'Ti-6Al-4V, ASM handbook value' },
   { words: 'Nitinol, 75 GPa', settings: { 'needle.youngs_modulus_GPa': 75, 'needle.density_kg_m3': 6450 }, source: 'austenite, linear here' },
   { words: 'PEEK, 3.6 GPa', settings: { 'needle.youngs_modulus_GPa': 3.6, 'needle.density_kg_m3': 1300 }, source: 'unfilled polymer, data-sheet value' },
+];
+
+const model = (value: string, words: string, source: string): Preset => ({ words, settings: { 'needle.model': value }, source });
+export const models: Preset[] = [
+  model('column', 'closed forms', 'the paper’s; straight inside the tissue'),
+  model('rod', 'elastic rod', 'bends outside and inside the tissue, with its mass'),
 ];
 
 const support = (value: string, words: string, source: string): Preset => ({ words, settings: { 'needle.support': value }, source });

@@ -46,7 +46,8 @@ Rod build_rod(const NeedleSpec& spec, int edges, double poisson_ratio) {
   const double l = spec.length / edges;
   const double mass = spec.density * section_area(spec) * l;
   rod.edge_length.assign(edges, l);
-  rod.edge_inertia.assign(edges, 0.5 * mass * (spec.radius * spec.radius + spec.inner_radius * spec.inner_radius));
+  rod.edge_inertia.assign(edges,
+                          0.5 * mass * (spec.radius * spec.radius + spec.inner_radius * spec.inner_radius));
   rod.node_length.assign(rod.nodes(), l);
   rod.node_mass.assign(rod.nodes(), mass);
   for (auto* ends : {&rod.node_length, &rod.node_mass}) ends->front() = ends->back() = 0.5 * ends->front();

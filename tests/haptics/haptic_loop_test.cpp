@@ -179,10 +179,18 @@ class Broken final : public Device {
   int down_, up_;
 };
 
-GateFault fault_after(Broken device) {
-  Result<Simulation> simulation = Simulation::build(held_by(*find_device_limits("touch"), testing_machine()));
-  const std::atomic<bool> never{false};
-  return run_loop(device, *simulation, {}, never).report.fault;
+// A machine with much else to do may let the command grow stale: that is not the device's fault, and tried
+// again.
+GateFault fault_after(const Broken& broken) {
+  GateFault fault = GateFault::stale;
+  for (int i = 0; i < tries && fault == GateFault::stale; ++i) {
+    Broken device = broken;
+    Result<Simulation> simulation =
+        Simulation::build(held_by(*find_device_limits("touch"), testing_machine()));
+    const std::atomic<bool> never{false};
+    fault = run_loop(device, *simulation, {}, never).report.fault;
+  }
+  return fault;
 }
 
 TEST(HapticLoop, keeps_a_fault_until_a_button_is_pressed) {

@@ -20,6 +20,9 @@ struct NeedleSpec {
   double density = 7850.0;        // kg/m^3, stainless steel
   Support support = Support::clamped_pinned;
   double imperfection = 0.05e-3;  // m, amplitude of the initial bow at full length; seeds the bifurcation
+  double bevel_degrees = 0.0;     // between the face of the tip and the axis; 0: a tip without a side
+  double bevel_turn_degrees =
+      0.0;  // about the axis, from the plane of the bow to the side that the tip steers to
 };
 
 // A free part shorter than this many radii is a stub, not a column; what follows holds only above it.

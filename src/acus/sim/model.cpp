@@ -1,6 +1,7 @@
 #include "acus/sim/model.h"
 
 #include <algorithm>
+#include <numbers>
 #include <numeric>
 
 #include "acus/mesh/block.h"
@@ -8,6 +9,7 @@
 #include "acus/mesh/quality.h"
 #include "acus/mesh/refine.h"
 #include "acus/needle/buckling.h"
+#include "acus/numeric/circular.h"
 #include "acus/sim/hand.h"
 
 namespace acus {
@@ -138,6 +140,13 @@ Result<Model> build_model(const Scene& scene, const mesh::TetMesh* mesh) {
   m.grip_compliance = grip_compliance(scene.hand);
   m.cutting_force =
       force::cutting_force(scene.contact.fracture_toughness, scene.contact.crack, scene.needle.radius);
+  constexpr double degree = std::numbers::pi / 180.0;
+  if (scene.needle.bevel_degrees >
+      0.0) {  // what presses on a face presses across it: along 1, aside cot(bevel)
+    const double tangent = numeric::tan(scene.needle.bevel_degrees * degree);
+    m.bevel_ratio = scene.contact.bevel_share / tangent;
+    m.bevel_face = 2.0 * scene.needle.radius / tangent;
+  }
   if (m.rigid()) {
     m.path = {Vec3::Zero(), Vec3(0.0, 0.0, -1.0), 0.0};
     return m;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "acus/coupling/near_field.h"
+#include "acus/numeric/circular.h"
 #include "acus/tissue/deformation.h"
 
 namespace acus {
@@ -83,6 +85,19 @@ void place_tip(const Model& m, State& s) {
   if (!s.punctured) s.needle.tip_offset = across(gap, axis);
 }
 
+// N, to the side of the point, by as much of the face as is inside. It is taken as the tip force was before the
+// step: it pushes, and holds nothing.
+Vec3 bevel_push(const Model& m, const State& s, const coupling::Slider& slider, const Vec3& axis) {
+  if (m.bevel_ratio == 0.0 || !s.punctured || s.through) return Vec3::Zero();
+  constexpr double degree = std::numbers::pi / 180.0;
+  const double turn = m.scene.needle.bevel_turn_degrees * degree;
+  const Vec3& director = s.needle.rod.director.back();
+  const Vec3 side = numeric::cos(turn) * director + numeric::sin(turn) * axis.cross(director);
+  const double tip_force = std::clamp(slider.stiffness * slider.elongation, slider.lower, slider.upper);
+  const double inside = std::min(1.0, s.channel_depth / m.bevel_face);
+  return m.bevel_ratio * inside * tip_force * side;
+}
+
 RodContact tip_contact(const Model& m, const State& s) {
   RodContact c;
   c.at = &s.tip;
@@ -92,6 +107,7 @@ RodContact tip_contact(const Model& m, const State& s) {
   const Vec3 gap = s.needle.rod.position.back() - channel_end_now(m, s) - s.needle.tip_offset;
   c.lateral = tip_hold(m, s);
   c.lateral_elongation = across(gap, c.axis);
+  c.push = bevel_push(m, s, c.slider, c.axis);
   return c;
 }
 
@@ -112,7 +128,7 @@ void take_branch(RodContact& c) {
   const coupling::LinearForce f = coupling::force_on(c.slider, c.grip);
   const Mat3 along = c.axis * c.axis.transpose();
   c.stiffness = f.rate * along + c.lateral * (Mat3::Identity() - along);
-  c.force = -f.constant * c.axis - c.lateral * c.lateral_elongation;
+  c.force = c.push - f.constant * c.axis - c.lateral * c.lateral_elongation;
 }
 
 double stored(const RodContact& c, double along, const Vec3& sideways) {
@@ -207,7 +223,7 @@ Vec3 tissue_rate(const State& s, const RodContact& c) { return coupling::mean(*c
 
 Vec3 contact_load(const RodContact& c, const Vec3& way) {
   return coupling::advance(c.slider, way.dot(c.axis)).force * c.axis +
-         c.lateral * (c.lateral_elongation + across(way, c.axis));
+         c.lateral * (c.lateral_elongation + across(way, c.axis)) - c.push;
 }
 
 bool correct_grips(const Model& m, const State& s, Scratch& w) {
@@ -234,7 +250,8 @@ coupling::SliderStep slide_rod(const Model& m, State& s, const Scratch& w) {
     energy += stored(c, step.elongation, c.lateral_elongation + sideways);
     if (c.cell < 0) {
       s.tip_elongation = step.elongation;
-      s.ledger.work_cutting += step.dissipated;
+      s.ledger.work_cutting +=
+          step.dissipated - c.push.dot(way);  // what a bevel pushes with, it does not cut with
       tip = step;
     } else {
       s.channel.elongation[c.cell] = step.elongation;

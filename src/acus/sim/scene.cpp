@@ -59,6 +59,9 @@ Complaint needle_complaint(const Scene& scene) {
   if (needle.inner_radius > (1.0 - thinnest_wall) * needle.radius)
     return "needle.inner_radius_mm must be at most 0.99 of needle.radius_mm, which allows " +
            in_mm((1.0 - thinnest_wall) * needle.radius) + ", but is " + in_mm(needle.inner_radius);
+  if (needle.bevel_degrees > 0.0 && scene.needle_model != NeedleModel::rod)
+    return "needle.bevel_deg is for needle.model = \"rod\"; a column's tip has no side; set the model or "
+           "remove the bevel";
   if (needle.imperfection > largest_bow * needle.length)
     return "needle.imperfection_mm must be at most 1/100 of needle.length_mm, which allows " +
            in_mm(largest_bow * needle.length) + ", but is " + in_mm(needle.imperfection);

@@ -39,6 +39,10 @@ std::vector<SceneKey> needle_keys() {
        "ends of the free part, hub first; the paper's Eq. 10 is pinned_pinned"},
       {"needle.imperfection_mm", NumberField{ACUS_AT(needle.imperfection), milli, {0.0, 20.0}},
        "amplitude of the initial bow, which seeds buckling"},
+      {"needle.bevel_deg", NumberField{ACUS_AT(needle.bevel_degrees), one, {0.0, 90.0}},
+       "between the face of the tip and the axis; 0 for a tip without a side; a rod's alone"},
+      {"needle.bevel_turn_deg", NumberField{ACUS_AT(needle.bevel_turn_degrees), one, {-360.0, 360.0}},
+       "about the axis, from the plane of the bow to the side that the bevel steers to"},
   };
 }
 
@@ -89,6 +93,8 @@ std::vector<SceneKey> contact_keys() {
        "radius of the disc over which a tip load is spread"},
       {"contact.stiffness_N_m", NumberField{ACUS_AT(contact.stiffness), one, {1.0, 1e9}},
        "spring between needle and tissue, k of Eq. 8"},
+      {"contact.bevel_share", NumberField{ACUS_AT(contact.bevel_share), one, {0.0, 1.0}},
+       "of the tip force that the face of a bevel takes, and its edge does not"},
       {"contact.coupling", ACUS_CHOICE(contact.coupling, "embedded", "nearest_node"),
        "embedded acts inside the tetrahedra and converges; nearest_node is the paper's Eq. 8-9"},
   };

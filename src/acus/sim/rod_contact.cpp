@@ -85,8 +85,8 @@ void place_tip(const Model& m, State& s) {
   if (!s.punctured) s.needle.tip_offset = across(gap, axis);
 }
 
-// N, to the side of the point, by as much of the face as is inside. It is taken as the tip force was before the
-// step: it pushes, and holds nothing.
+// N, to the side of the point, by as much of the face as is inside. It is taken as the tip force was before
+// the step: it pushes, and holds nothing.
 Vec3 bevel_push(const Model& m, const State& s, const coupling::Slider& slider, const Vec3& axis) {
   if (m.bevel_ratio == 0.0 || !s.punctured || s.through) return Vec3::Zero();
   constexpr double degree = std::numbers::pi / 180.0;

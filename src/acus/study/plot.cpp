@@ -50,7 +50,7 @@ void draw_mark(Svg& svg, Point2 at, MarkShape shape, const std::string& classes,
 void draw_key(Svg& svg, const std::vector<KeyEntry>& key, Point2 at) {
   constexpr double px_per_letter = 6.6;
   for (const KeyEntry& entry : key) {
-    draw_mark(svg, {at[0] + mark_radius, at[1]}, entry.shape, "mark neutral", {});
+    draw_mark(svg, {at[0] + mark_radius, at[1]}, entry.shape, "mark " + entry.classes, {});
     svg.text({at[0] + 15.0, at[1] + 4.0}, Anchor::start, "soft small", entry.words);
     at[0] += 32.0 + px_per_letter * static_cast<double>(entry.words.size());
   }
@@ -63,6 +63,20 @@ std::string curve_classes(const Curve& curve) {
   return "curve s" + std::to_string(curve.style) + dash;
 }
 
+void draw_cell(Svg& svg, const PlotFrame& frame, const Cell& cell) {
+  constexpr double gap = 1.0;  // px around the tint, so that cells are told apart
+  const Point2 at = cell.mark.at;
+  const double left = frame.x(at[0] - cell.size[0] / 2.0) + gap,
+               right = frame.x(at[0] + cell.size[0] / 2.0) - gap,
+               top = frame.y(at[1] + cell.size[1] / 2.0) + gap,
+               bottom = frame.y(at[1] - cell.size[1] / 2.0) - gap;
+  const std::string colour = " f" + std::to_string(cell.mark.style);
+  const double middle = (left + right) / 2.0, line = cell.words.empty() ? 0.0 : 8.0;
+  svg.rect({left, top}, right - left, bottom - top, "cell" + colour);
+  draw_mark(svg, {middle, (top + bottom) / 2.0 - line}, cell.mark.shape, "mark" + colour, cell.mark.tooltip);
+  if (line > 0.0) svg.text({middle, (top + bottom) / 2.0 + 1.5 * line}, Anchor::middle, "small", cell.words);
+}
+
 struct Ranges {
   Limits x, y;
 };
@@ -73,6 +87,12 @@ Ranges ranges_of(const Plot& plot) {
     for (const Point2& p : curve.points) xs.push_back(p[0]), ys.push_back(p[1]);
   }
   for (const Mark& mark : plot.marks) xs.push_back(mark.at[0]), ys.push_back(mark.at[1]);
+  for (const Cell& cell : plot.cells) {
+    for (const double side : {-0.5, 0.5}) {
+      xs.push_back(cell.mark.at[0] + side * cell.size[0]);
+      ys.push_back(cell.mark.at[1] + side * cell.size[1]);
+    }
+  }
   for (const Level& level : plot.levels) ys.push_back(level.y);
   Ranges ranges{roomy(xs), roomy(ys)};
   if (plot.x_limits) ranges.x = {(*plot.x_limits)[0], (*plot.x_limits)[1]};
@@ -116,6 +136,7 @@ Svg drawn(const Plot& plot) {
 
   std::vector<SideLabel> labels;
   svg.begin_clip({frame.left(), frame.top() - 6.0}, width + 1.0, height + 7.0);
+  for (const Cell& cell : plot.cells) draw_cell(svg, frame, cell);
   for (const Level& level : plot.levels)
     svg.line({frame.left(), frame.y(level.y)}, {frame.right(), frame.y(level.y)},
              "level s" + std::to_string(level.style));

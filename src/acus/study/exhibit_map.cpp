@@ -87,18 +87,17 @@ std::vector<std::string> axes_of(const GroupRecords& group) {
 
 struct Axes {
   const std::string &across, &up;
-  std::vector<double> xs, ys;  // the values that were run
-  Point2 size;                 // of a cell
+  Point2 size;  // of a cell
+  Point2 x_limits, y_limits;
 };
 
 // Where a load by the closed forms is the rupture force; `load` grows or falls along `up`.
 std::vector<Point2> border(const Scene& scene, const Axes& axes, double Prediction::*load) {
   constexpr int points = 33;
-  const double low = axes.ys.front() - axes.size[1] / 2.0, high = axes.ys.back() + axes.size[1] / 2.0;
+  const auto [low, high] = axes.y_limits;
   std::vector<Point2> line;
   for (int i = 0; i < points; ++i) {
-    const double left = axes.xs.front() - axes.size[0] / 2.0, right = axes.xs.back() + axes.size[0] / 2.0;
-    const double x = left + (right - left) * i / (points - 1);
+    const double x = axes.x_limits[0] + (axes.x_limits[1] - axes.x_limits[0]) * i / (points - 1);
     bool possible = true;  // scenes outside of what a scene may be have no border
     const auto over = [&](double y) {
       const Result<Scene> there = io::with_settings(
@@ -115,9 +114,11 @@ std::vector<Point2> border(const Scene& scene, const Axes& axes, double Predicti
 
 Plot map_plot(const GroupRecords& group, const Panel& panel, const Axes& axes) {
   Plot plot;
-  plot.title = figure_title(group, panel, "Outcome of each insertion");
+  plot.title = figure_title(group, panel, "Outcome, and work of the hand in mJ");
   plot.x_label = key_in_words(axes.across);
   plot.y_label = key_in_words(axes.up);
+  plot.x_limits = axes.x_limits;
+  plot.y_limits = axes.y_limits;
   for (const RunRecord* run : panel.runs) {
     const std::string outcome = summary_text(*run, "/outcome");
     const Look look = look_of(outcome);
@@ -143,7 +144,7 @@ Plot map_plot(const GroupRecords& group, const Panel& panel, const Axes& axes) {
   const Scene& scene = panel.runs.front()->scene;
   plot.curves.push_back({"Pcr = Fr", 6, border(scene, axes, &Prediction::critical_load), Curve::Dash::solid});
   plot.curves.push_back(
-      {"bowed: Fr", 6, border(scene, axes, &Prediction::highest_load), Curve::Dash::dashed});
+      {"most bowed = Fr", 6, border(scene, axes, &Prediction::highest_load), Curve::Dash::dashed});
   return plot;
 }
 
@@ -194,7 +195,12 @@ void show_map(Page& page, const GroupRecords& group) {
   page.begin_row();
   for (const Panel& panel : panels_of(group)) {
     const std::vector<double> xs = values_of(panel, keys[0]), ys = values_of(panel, keys[1]);
-    const Axes axes{keys[0], keys[1], xs, ys, {least_step(xs), least_step(ys)}};
+    const Point2 size{least_step(xs), least_step(ys)};
+    const Axes axes{keys[0],
+                    keys[1],
+                    size,
+                    {xs.front() - size[0] / 2.0, xs.back() + size[0] / 2.0},
+                    {ys.front() - size[1] / 2.0, ys.back() + size[1] / 2.0}};
     page.figure(
         figure_name(group, panel, "map"), drawn(map_plot(group, panel, axes)),
         "What became of each needle; below each mark the work of the hand in mJ until the puncture, or "

@@ -63,18 +63,29 @@ std::string curve_classes(const Curve& curve) {
   return "curve s" + std::to_string(curve.style) + dash;
 }
 
-void draw_cell(Svg& svg, const PlotFrame& frame, const Cell& cell) {
+struct Box {
+  double left, right, top, bottom;  // px
+};
+
+Box box_of(const PlotFrame& frame, const Cell& cell) {
   constexpr double gap = 1.0;  // px around the tint, so that cells are told apart
   const Point2 at = cell.mark.at;
-  const double left = frame.x(at[0] - cell.size[0] / 2.0) + gap,
-               right = frame.x(at[0] + cell.size[0] / 2.0) - gap,
-               top = frame.y(at[1] + cell.size[1] / 2.0) + gap,
-               bottom = frame.y(at[1] - cell.size[1] / 2.0) - gap;
-  const std::string colour = " f" + std::to_string(cell.mark.style);
-  const double middle = (left + right) / 2.0, line = cell.words.empty() ? 0.0 : 8.0;
-  svg.rect({left, top}, right - left, bottom - top, "cell" + colour);
-  draw_mark(svg, {middle, (top + bottom) / 2.0 - line}, cell.mark.shape, "mark" + colour, cell.mark.tooltip);
-  if (line > 0.0) svg.text({middle, (top + bottom) / 2.0 + 1.5 * line}, Anchor::middle, "small", cell.words);
+  return {frame.x(at[0] - cell.size[0] / 2.0) + gap, frame.x(at[0] + cell.size[0] / 2.0) - gap,
+          frame.y(at[1] + cell.size[1] / 2.0) + gap, frame.y(at[1] - cell.size[1] / 2.0) - gap};
+}
+
+void draw_tint(Svg& svg, const Box& box, int style) {
+  svg.rect({box.left, box.top}, box.right - box.left, box.bottom - box.top, "cell f" + std::to_string(style));
+}
+
+void draw_inside(Svg& svg, const Box& box, const Cell& cell) {
+  constexpr double line = 14.0;  // px, of a mark or of words
+  const Point2 middle{(box.left + box.right) / 2.0, (box.top + box.bottom) / 2.0};
+  const double up = cell.words.empty() ? 0.0 : line / 2.0;
+  draw_mark(svg, {middle[0], middle[1] - up}, cell.mark.shape, "mark f" + std::to_string(cell.mark.style),
+            cell.mark.tooltip);
+  if (!cell.words.empty())
+    svg.text({middle[0], middle[1] + line}, Anchor::middle, "small legible", cell.words);
 }
 
 struct Ranges {
@@ -87,12 +98,6 @@ Ranges ranges_of(const Plot& plot) {
     for (const Point2& p : curve.points) xs.push_back(p[0]), ys.push_back(p[1]);
   }
   for (const Mark& mark : plot.marks) xs.push_back(mark.at[0]), ys.push_back(mark.at[1]);
-  for (const Cell& cell : plot.cells) {
-    for (const double side : {-0.5, 0.5}) {
-      xs.push_back(cell.mark.at[0] + side * cell.size[0]);
-      ys.push_back(cell.mark.at[1] + side * cell.size[1]);
-    }
-  }
   for (const Level& level : plot.levels) ys.push_back(level.y);
   Ranges ranges{roomy(xs), roomy(ys)};
   if (plot.x_limits) ranges.x = {(*plot.x_limits)[0], (*plot.x_limits)[1]};
@@ -136,13 +141,14 @@ Svg drawn(const Plot& plot) {
 
   std::vector<SideLabel> labels;
   svg.begin_clip({frame.left(), frame.top() - 6.0}, width + 1.0, height + 7.0);
-  for (const Cell& cell : plot.cells) draw_cell(svg, frame, cell);
+  for (const Cell& cell : plot.cells) draw_tint(svg, box_of(frame, cell), cell.mark.style);
   for (const Level& level : plot.levels)
     svg.line({frame.left(), frame.y(level.y)}, {frame.right(), frame.y(level.y)},
              "level s" + std::to_string(level.style));
   for (const Curve& curve : plot.curves)
     svg.path(in_pixels(frame, curve.points), false, curve_classes(curve), curve.label);
   svg.end_clip();
+  for (const Cell& cell : plot.cells) draw_inside(svg, box_of(frame, cell), cell);
   for (const Mark& mark : plot.marks)
     draw_mark(svg, frame.at(mark.at), mark.shape, "mark f" + std::to_string(mark.style), mark.tooltip);
   for (const Level& level : plot.levels)

@@ -51,7 +51,7 @@ struct Plot {
   std::string x_label, y_label;
   std::vector<Curve> curves;
   std::vector<Mark> marks;
-  std::vector<Cell> cells;  // under everything else
+  std::vector<Cell> cells;  // tints under everything else; the limits of the axes are to be given
   std::vector<Level> levels;
   std::vector<KeyEntry> key;  // what the shapes of the marks mean
   std::optional<Point2> x_limits, y_limits;

@@ -92,9 +92,9 @@ TEST(Runner, a_run_ends_with_the_event_that_the_study_names) {
   const auto folder = fresh_folder();
   Study study = three_columns(folder);
   const std::string to_the_end = fingerprint(study.groups[0].runs[0]);
-  for (Run& run : study.groups[0].runs) run.until = "buckling";
+  for (study::Run& run : study.groups[0].runs) run.until = "buckling";
   ASSERT_FALSE(do_runs(study, into(folder, 1)));
-  for (const Run& run : study.groups[0].runs) {
+  for (const study::Run& run : study.groups[0].runs) {
     const Result<RunRecord> record = read_run(run_folder(folder.string(), study.groups[0], run), run);
     ASSERT_TRUE(record) << record.error().sentence;
     EXPECT_TRUE(completed(*record));

@@ -172,8 +172,8 @@ void say_agreement(Page& page, const GroupRecords& group) {
     if (outcome == predicted) continue;
     const double rupture = run.scene.contact.rupture_force;
     others.rows.push_back({run.chosen.name, in_words(outcome), in_words(predicted),
-                           number(closed.critical_load / rupture, 3),
-                           number(closed.highest_load / rupture, 3)});
+                           number(closed.critical_load / rupture, 4),
+                           number(closed.highest_load / rupture, 4)});
   }
   page.paragraphs(
       joined({std::to_string(group.runs.size() - others.rows.size()), " of ",
@@ -201,12 +201,11 @@ void show_map(Page& page, const GroupRecords& group) {
                     size,
                     {xs.front() - size[0] / 2.0, xs.back() + size[0] / 2.0},
                     {ys.front() - size[1] / 2.0, ys.back() + size[1] / 2.0}};
-    page.figure(
-        figure_name(group, panel, "map"), drawn(map_plot(group, panel, axes)),
-        "What became of each needle; below each mark the work of the hand in mJ until the puncture, or "
-        "in all. Solid: the closed form's critical load is the rupture force. Dashed: the most that "
-        "the bowed needle carries within the hand's travel is.",
-        {number_table(panel)});
+    page.figure(figure_name(group, panel, "map"), drawn(map_plot(group, panel, axes)),
+                "What became of each needle; below each mark the work of the hand in mJ until the puncture, "
+                "or in all. Solid: where the closed form's critical load is as large as the rupture force. "
+                "Dashed: where the most is that the bowed needle carries within the hand's travel.",
+                {number_table(panel)});
   }
   page.end_row();
   say_agreement(page, group);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double degrees = 57.29577951308232;  // per radian
 
-void print_needle(const needle::NeedleSpec& spec, double rupture_force, const Prediction& p) {
+void print_needle(const needle::NeedleSpec& spec) {
   const double rigidity = needle::bending_rigidity(spec);
   std::printf("Needle   %g mm long, radius %g mm, bending rigidity %.4g N m^2, mass %.3g g\n",
               spec.length / units::mm, spec.radius / units::mm, rigidity, 1e3 * needle::mass(spec));
@@ -26,9 +26,17 @@ void print_needle(const needle::NeedleSpec& spec, double rupture_force, const Pr
   for (needle::Support support : needle::all_supports)
     std::printf("%s %.4f N (%s)", support == needle::all_supports.front() ? "" : ",",
                 needle::critical_load(rigidity, spec.length, support), name_of(support).c_str());
-  std::printf(
-      "\n         as %s it stays straight under the rupture force of %g N up to a free length of %.1f mm\n",
-      name_of(spec.support).c_str(), rupture_force, p.longest_straight / units::mm);
+  std::printf("\n");
+}
+
+void print_expectation(const Scene& scene, const Prediction& p) {
+  std::printf("Expect   %s: %s\n", name_of(p.outcome).c_str(), in_words(scene, p).c_str());
+  std::printf("Buckles  %s\n", buckling_in_words(scene, p).c_str());
+  const char* head = p.critical_load < scene.contact.rupture_force ? "Helps " : "Margin";
+  for (const std::string& sentence : remedies_in_words(scene, p)) {
+    std::printf("%-8s %s\n", head, sentence.c_str());
+    head = "";
+  }
 }
 
 // A mesh read in a wrong unit runs all the same, and shows it only in strange forces.
@@ -129,9 +137,9 @@ int do_check(const CheckOptions& options) {
   if (!simulation) return refused(options.scene + ": " + simulation.error().sentence, bad_input);
   const Prediction prediction = predict(*scene);
   std::printf("Scene    %s makes sense\n", options.scene.c_str());
-  print_needle(scene->needle, scene->contact.rupture_force, prediction);
+  print_needle(scene->needle);
   print_tissue(*scene, *simulation, prediction);
-  std::printf("Expect   %s: %s\n", name_of(prediction.outcome).c_str(), in_words(*scene, prediction).c_str());
+  print_expectation(*scene, prediction);
   print_hand(scene->hand);
   print_cost(*scene, *simulation);
   return done;

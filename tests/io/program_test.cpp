@@ -185,7 +185,7 @@ TEST(Program, check_explains_every_shipped_scene) {
     const ProgramRun run =
         run_program({"check", entry.path().string(), "--set", "tissue.tetrahedra=400"}, folder);
     EXPECT_EQ(run.exit_code, 0) << run.err;
-    for (const char* part : {"makes sense", "Needle", "Tissue", "Expect", "Cost"})
+    for (const char* part : {"makes sense", "Needle", "Tissue", "Expect", "Buckles", "Cost"})
       EXPECT_NE(run.out.find(part), std::string::npos) << entry.path() << run.out;
   }
   EXPECT_GE(scenes, 5);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <pugixml.hpp>
 #include <set>
 #include <sstream>
 
@@ -202,6 +203,36 @@ TEST(Report, a_map_of_words_is_refused_with_a_note) {
   ASSERT_TRUE(read) << read.error().sentence;
   EXPECT_NE(report_of(read).html.find("needle.support is not one"), std::string::npos);
   EXPECT_TRUE(report_of(read).pictures.empty());
+}
+
+// One cell of 1 N by 1 mm about 200 mm and 0.7 N, so from 0.2 to 1.2 N; pinned-pinned, the needle's critical
+// load is 0.3139 N. It had done 4 mJ in the last row before its puncture.
+TEST(Report, a_map_has_the_closed_forms_borders_over_its_cells) {
+  const char* const axes =
+      "[axes]\nneedle.length_mm = [200]\ncontact.rupture_force_N = [%]\n[report]\nshow = [\"map\"]\n";
+  const auto report_at = [&](const std::string& rupture) {
+    std::string more = axes;
+    const Result<Read> read = read_hand_made({whole}, more.replace(more.find('%'), 1, rupture));
+    EXPECT_TRUE(read) << read.error().sentence;
+    return report_of(read);
+  };
+  const Report report = report_at("0.7");
+  ASSERT_EQ(report.pictures.size(), 1u);
+  pugi::xml_document xml;
+  ASSERT_TRUE(xml.load_string(report.pictures[0].svg.c_str()));
+  const auto cell = xml.select_node("//rect[contains(@class,'cell f1')]").node(),
+             border = xml.select_node("//path[contains(@class,'solid')]").node();
+  const double height = cell.attribute("height").as_double(),
+               bottom = cell.attribute("y").as_double() + height;
+  double x = 0.0, y = 0.0;
+  ASSERT_TRUE(std::istringstream(border.attribute("d").value() + 1) >> x >> y);
+  EXPECT_NEAR((bottom - y) / height, 0.3139 * (200.0 * 200.0) / (199.5 * 199.5) - 0.2, 5e-3);
+  EXPECT_TRUE(xml.select_node("//text[text()='4']"));
+  EXPECT_TRUE(xml.select_node("//text[text()='needle length, mm']"));
+  // At 0.7 N a needle that carries 0.3139 N, and half as much again when bowed, never goes in.
+  EXPECT_NE(report.html.find("0 of 1 insertions came out as the closed forms say"), std::string::npos);
+  EXPECT_NE(report_at("0.32").html.find("1 of 1 insertions came out as the closed forms say"),
+            std::string::npos);
 }
 
 TEST(Report, pictures_stay_in_their_folder_whatever_the_panels_are_called) {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "acus/study/run_record.h"
 #include "study_files.h"
 
 namespace acus::study {
@@ -84,6 +85,24 @@ TEST(Runner, no_more_threads_are_started_than_there_are_runs) {
   };
   ASSERT_FALSE(do_runs(study, options));
   EXPECT_LE(askers.size(), 3u);
+}
+
+// Euler's load is reached long before the 199 steps are over.
+TEST(Runner, a_run_ends_with_the_event_that_the_study_names) {
+  const auto folder = fresh_folder();
+  Study study = three_columns(folder);
+  const std::string to_the_end = fingerprint(study.groups[0].runs[0]);
+  for (study::Run& run : study.groups[0].runs) run.until = "buckling";
+  ASSERT_FALSE(do_runs(study, into(folder, 1)));
+  for (const study::Run& run : study.groups[0].runs) {
+    const Result<RunRecord> record = read_run(run_folder(folder.string(), study.groups[0], run), run);
+    ASSERT_TRUE(record) << record.error().sentence;
+    EXPECT_TRUE(completed(*record));
+    ASSERT_NE(find_event(*record, "buckling"), nullptr);
+    EXPECT_EQ(column(*record, "time_s").back(), find_event(*record, "buckling")->time);
+    EXPECT_LT(summary_count(*record, "/steps"), 199);
+  }
+  EXPECT_NE(fingerprint(study.groups[0].runs[0]), to_the_end);  // so that it is not taken for done
 }
 
 TEST(Runner, a_scene_that_cannot_be_built_is_wrong_input) {

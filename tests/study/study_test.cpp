@@ -121,6 +121,7 @@ INSTANTIATE_TEST_SUITE_P(
               "2]\n[axes]\nneedle.length_mm = [1]\n",
               "not both"},
         Wrong{"[report]\nshow = [\"forces\"]\n", "it knows force"},
+        Wrong{"until = \"pucture\"\n", "until does not know the event \"pucture\"; it knows contact"},
         Wrong{"[report]\npanel = \"needle.support\"\n", "does not vary"},
         Wrong{"include = [\"study.toml\"]\n", "too deeply, or in a circle"},
         Wrong{"include = []\n", "at least one"},

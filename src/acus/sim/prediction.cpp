@@ -4,10 +4,14 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <numbers>
 
+#include "acus/base/units.h"
+#include "acus/force/fracture.h"
 #include "acus/needle/buckling.h"
 #include "acus/needle/elastica.h"
+#include "acus/numeric/root.h"
 #include "acus/sim/hand.h"
 
 namespace acus {
@@ -24,13 +28,61 @@ double highest_load_ratio(needle::Support support, double shortening_ratio) {
   return highest;
 }
 
+// After a straight puncture at `sink` the tip goes on with the hand: cutting and friction grow with its
+// depth, and the free part, which is shorter by as much, must carry them. Where it first cannot.
+std::optional<ExpectedBuckling> buckling_inside(const Scene& scene, double sink, double travel) {
+  const needle::NeedleSpec& spec = scene.needle;
+  const double cutting =
+      force::cutting_force(scene.contact.fracture_toughness, scene.contact.crack, spec.radius);
+  const auto load = [&](double depth) { return cutting + scene.contact.friction * depth; };
+  const auto room = [&](double depth) {
+    return needle::critical_load(needle::bending_rigidity(spec), spec.length - depth, spec.support) -
+           load(depth);
+  };
+  constexpr int samples = 200;  // the load is a line and the critical load a smooth curve above or across it
+  const double deepest = std::min(travel, spec.length - needle::shortest_column * spec.radius);
+  double before = sink;
+  if (deepest <= sink) return std::nullopt;
+  if (room(sink) <= 0.0) return ExpectedBuckling{load(sink), sink, true};
+  for (int i = 1; i <= samples; ++i) {
+    const double depth = sink + (deepest - sink) * i / samples;
+    if (room(depth) <= 0.0) {
+      const double first = numeric::bracketed_root(room, before, depth);
+      return ExpectedBuckling{load(first), first, true};
+    }
+    before = depth;
+  }
+  return std::nullopt;
+}
+
+std::optional<ExpectedBuckling> first_buckling(const Scene& scene, const Prediction& p, double travel) {
+  const double most =
+      scene.hand.kind == HandKind::person ? scene.hand.force_limit : std::numeric_limits<double>::infinity();
+  std::optional<ExpectedBuckling> buckling;
+  if (p.outcome == Outcome::straight_puncture)
+    buckling = buckling_inside(scene, p.sink, travel);
+  else if (p.highest_load >= p.critical_load && travel > 0.0)
+    buckling = {p.critical_load, p.sink * p.critical_load / scene.contact.rupture_force, false};
+  return buckling && buckling->load <= most ? buckling : std::nullopt;
+}
+
 // Three significant digits, zeros too.
-std::string newtons(double force) {
+std::string three_digits(double value) {
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%#.3g", force);
+  std::snprintf(text.data(), text.size(), "%#.3g", value);
   std::string digits = text.data();
   if (digits.back() == '.') digits.pop_back();
-  return digits + " N";
+  return digits;
+}
+
+std::string newtons(double force) { return three_digits(force) + " N"; }
+std::string millimetres(double length) { return three_digits(length / units::mm) + " mm"; }
+
+// Rounded down: what is held shorter stays straight for certain.
+std::string at_most_millimetres(double length) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.1f mm", std::floor(length / units::mm * 10.0) / 10.0);
+  return text.data();
 }
 
 }  // namespace
@@ -57,12 +109,45 @@ Prediction predict(const Scene& scene) {
                        : (travel > 0.0 ? travel / p.sink * rupture_force : 0.0);
   if (scene.hand.kind == HandKind::person) p.highest_load = std::min(p.highest_load, scene.hand.force_limit);
   p.longest_straight = spec.length * std::sqrt(p.critical_load / rupture_force);
+  p.longest_in_sleeve =
+      spec.support == needle::Support::pinned_pinned
+          ? p.longest_straight * std::sqrt(needle::critical_load_factor(needle::Support::clamped_pinned))
+          : p.longest_straight;
+  p.least_radius = spec.radius * std::sqrt(std::sqrt(rupture_force / p.critical_load));
   if (scene.tissue.rigid || p.highest_load < rupture_force)
     p.outcome = Outcome::never_punctured;
   else
     p.outcome =
         p.critical_load < rupture_force ? Outcome::buckled_then_punctured : Outcome::straight_puncture;
+  p.buckling = first_buckling(scene, p, travel);
   return p;
+}
+
+std::string buckling_in_words(const Scene& scene, const Prediction& p) {
+  if (!p.buckling) return "It does not buckle within this hand's travel and force.";
+  if (scene.tissue.rigid) return "It buckles at " + newtons(p.buckling->load) + ", as soon as it is pressed.";
+  const std::string where =
+      newtons(p.buckling->load) + ", about " + millimetres(p.buckling->hand_travel) + " into the push";
+  return p.buckling->inside ? "It goes in straight and buckles outside of the tissue later, at " + where +
+                                  ", when cutting and friction have grown to what the free part carries."
+                            : "It buckles before the puncture, at " + where + ".";
+}
+
+std::vector<std::string> remedies_in_words(const Scene& scene, const Prediction& p) {
+  if (scene.tissue.rigid) return {};
+  const double rupture_force = scene.contact.rupture_force;
+  const std::string rupture = newtons(rupture_force);
+  if (p.critical_load >= rupture_force)
+    return {"With the same tip it could be up to " + at_most_millimetres(p.longest_straight) +
+                " long and not buckle before the puncture.",
+            "Or its radius could be as little as " + millimetres(p.least_radius) + ".",
+            "Or the tissue could resist with up to " + newtons(p.critical_load) + "."};
+  return {"A grip that leaves at most " + at_most_millimetres(p.longest_straight) +
+              " free keeps it straight up to " + rupture + ".",
+          "So does a radius of at least " + millimetres(p.least_radius) + " at this length.",
+          "So does a tip sharp enough to go in at less than " + newtons(p.critical_load) + ".",
+          "So does a sleeve around the needle that leaves at most " +
+              at_most_millimetres(p.longest_in_sleeve) + " of it free."};
 }
 
 std::string in_words(const Scene& scene, const Prediction& p) {

@@ -59,6 +59,15 @@ std::string curve_name(const GroupRecords& group, const RunRecord& run) {
   return in_words(value) + what;
 }
 
+std::string key_in_words(const std::string& key) {
+  const std::string unit = unit_of(key);
+  std::string words = key.substr(0, key.size() - unit.size());
+  for (char& letter : words) {
+    if (letter == '.' || letter == '_') letter = ' ';
+  }
+  return unit.empty() ? words : joined({words, ",", unit});
+}
+
 std::string figure_name(const GroupRecords& group, const Panel& panel, const std::string& exhibit) {
   std::string name = group.group->name;
   if (!panel.value.empty()) {

@@ -43,6 +43,8 @@ std::span<const double> way_in(const RunRecord& run, const std::string& name);
 std::string in_words(const std::string& value);
 // What a run is called in a legend: the value of the group's curve key with its unit, or the run's name.
 std::string curve_name(const GroupRecords& group, const RunRecord& run);
+// A key of a scene with its unit, for an axis: "needle length, mm".
+std::string key_in_words(const std::string& key);
 // "group-panel-exhibit", fit for a file name.
 std::string figure_name(const GroupRecords& group, const Panel& panel, const std::string& exhibit);
 std::string figure_title(const GroupRecords& group, const Panel& panel, const std::string& words);

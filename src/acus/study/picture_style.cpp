@@ -23,6 +23,7 @@ font-family:system-ui,"Segoe UI","Helvetica Neue",Arial,"DejaVu Sans",sans-serif
 .picture .curve{fill:none;stroke-width:1.8;stroke-linejoin:round;stroke-linecap:round}
 .picture .level{stroke-width:1;stroke-dasharray:2 3;fill:none}.picture .leader{stroke-width:.8;fill:none;opacity:.7}
 .picture .mark{stroke:var(--paper);stroke-width:1.2}
+.picture .cell{fill-opacity:.2;stroke:none}.picture .legible{paint-order:stroke;stroke:var(--paper);stroke-width:3;stroke-opacity:.75}
 .picture .neutral{fill:var(--ink)}.picture .band{fill-opacity:.8;stroke:none}
 .picture .tissue{stroke:none}.picture .mesh{fill:none;stroke:var(--soft);stroke-width:.45;stroke-opacity:.75;stroke-linejoin:round}
 .picture .outline{fill:none;stroke:var(--ink);stroke-width:1;stroke-linecap:round}

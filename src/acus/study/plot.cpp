@@ -50,7 +50,7 @@ void draw_mark(Svg& svg, Point2 at, MarkShape shape, const std::string& classes,
 void draw_key(Svg& svg, const std::vector<KeyEntry>& key, Point2 at) {
   constexpr double px_per_letter = 6.6;
   for (const KeyEntry& entry : key) {
-    draw_mark(svg, {at[0] + mark_radius, at[1]}, entry.shape, "mark neutral", {});
+    draw_mark(svg, {at[0] + mark_radius, at[1]}, entry.shape, "mark " + entry.classes, {});
     svg.text({at[0] + 15.0, at[1] + 4.0}, Anchor::start, "soft small", entry.words);
     at[0] += 32.0 + px_per_letter * static_cast<double>(entry.words.size());
   }
@@ -61,6 +61,31 @@ std::string curve_classes(const Curve& curve) {
                      : curve.dash == Curve::Dash::dashed ? " dashed"
                                                          : "";
   return "curve s" + std::to_string(curve.style) + dash;
+}
+
+struct Box {
+  double left, right, top, bottom;  // px
+};
+
+Box box_of(const PlotFrame& frame, const Cell& cell) {
+  constexpr double gap = 1.0;  // px around the tint, so that cells are told apart
+  const Point2 at = cell.mark.at;
+  return {frame.x(at[0] - cell.size[0] / 2.0) + gap, frame.x(at[0] + cell.size[0] / 2.0) - gap,
+          frame.y(at[1] + cell.size[1] / 2.0) + gap, frame.y(at[1] - cell.size[1] / 2.0) - gap};
+}
+
+void draw_tint(Svg& svg, const Box& box, int style) {
+  svg.rect({box.left, box.top}, box.right - box.left, box.bottom - box.top, "cell f" + std::to_string(style));
+}
+
+void draw_inside(Svg& svg, const Box& box, const Cell& cell) {
+  constexpr double line = 14.0;  // px, of a mark or of words
+  const Point2 middle{(box.left + box.right) / 2.0, (box.top + box.bottom) / 2.0};
+  const double up = cell.words.empty() ? 0.0 : line / 2.0;
+  draw_mark(svg, {middle[0], middle[1] - up}, cell.mark.shape, "mark f" + std::to_string(cell.mark.style),
+            cell.mark.tooltip);
+  if (!cell.words.empty())
+    svg.text({middle[0], middle[1] + line}, Anchor::middle, "small legible", cell.words);
 }
 
 struct Ranges {
@@ -116,12 +141,14 @@ Svg drawn(const Plot& plot) {
 
   std::vector<SideLabel> labels;
   svg.begin_clip({frame.left(), frame.top() - 6.0}, width + 1.0, height + 7.0);
+  for (const Cell& cell : plot.cells) draw_tint(svg, box_of(frame, cell), cell.mark.style);
   for (const Level& level : plot.levels)
     svg.line({frame.left(), frame.y(level.y)}, {frame.right(), frame.y(level.y)},
              "level s" + std::to_string(level.style));
   for (const Curve& curve : plot.curves)
     svg.path(in_pixels(frame, curve.points), false, curve_classes(curve), curve.label);
   svg.end_clip();
+  for (const Cell& cell : plot.cells) draw_inside(svg, box_of(frame, cell), cell);
   for (const Mark& mark : plot.marks)
     draw_mark(svg, frame.at(mark.at), mark.shape, "mark f" + std::to_string(mark.style), mark.tooltip);
   for (const Level& level : plot.levels)

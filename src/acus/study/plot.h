@@ -25,6 +25,13 @@ struct Mark {
   std::string tooltip;
 };
 
+// A tinted rectangle about `at`, with a mark in it and, below the mark, a few letters.
+struct Cell {
+  Mark mark;
+  Point2 size{};  // in the units of the axes
+  std::string words;
+};
+
 // A horizontal line across the plot.
 struct Level {
   double y = 0.0;
@@ -35,6 +42,7 @@ struct Level {
 struct KeyEntry {
   MarkShape shape = MarkShape::circle;
   std::string words;
+  std::string classes = "neutral";  // its colour
 };
 
 struct Plot {
@@ -43,6 +51,7 @@ struct Plot {
   std::string x_label, y_label;
   std::vector<Curve> curves;
   std::vector<Mark> marks;
+  std::vector<Cell> cells;  // tints under everything else; the limits of the axes are to be given
   std::vector<Level> levels;
   std::vector<KeyEntry> key;  // what the shapes of the marks mean
   std::optional<Point2> x_limits, y_limits;

@@ -157,9 +157,10 @@ long summary_count(const RunRecord& record, const char* pointer) {
   return found != nullptr && found->is_number_integer() ? found->get<long>() : 0;
 }
 
-std::string fingerprint(const Scene& scene) {
+std::string fingerprint(const Run& run) {
+  const Scene& scene = run.scene;
   static const std::uint64_t program = hash_of_program();
-  std::uint64_t hash = hash_of_text(io::scene_toml(scene), program);
+  std::uint64_t hash = hash_of_text(joined({io::scene_toml(scene), run.until}), program);
   if (!scene.tissue.mesh.empty()) {
     // A mesh is named by its file; what counts is what stands in it. One that cannot be read fails when it is
     // built.

@@ -47,8 +47,9 @@ double summary_number(const RunRecord& record, const char* pointer);
 std::string summary_text(const RunRecord& record, const char* pointer);
 long summary_count(const RunRecord& record, const char* pointer);
 
-// Names what a run depends on: the scene, what stands in its mesh file, and the program that runs.
-std::string fingerprint(const Scene& scene);
+// Names what a run depends on: the scene, what stands in its mesh file, the event that ends it, and the
+// program that runs.
+std::string fingerprint(const Run& run);
 
 // Whether `folder` holds a finished run with that fingerprint.
 bool is_finished(const std::string& folder, const std::string& fingerprint);

@@ -13,6 +13,7 @@
 
 #include "acus/io/insertion.h"
 #include "acus/io/run_folder.h"
+#include "acus/sim/hand.h"
 #include "acus/sim/names.h"
 #include "acus/study/markup.h"
 #include "acus/study/run_record.h"
@@ -29,6 +30,12 @@ struct Job {
 double cost_of(const Scene& scene) {
   constexpr double column_step = 100.0;  // tetrahedra: what a step costs that has none
   return io::step_count(scene) * (column_step + (scene.tissue.rigid ? 0.0 : scene.tissue.tetrahedra));
+}
+
+bool has_happened(const std::string& event, const Simulation& simulation) {
+  const auto events = simulation.events();
+  return std::any_of(events.begin(), events.end(),
+                     [&](const Event& one) { return name_of(one.kind) == event; });
 }
 
 // What the workers share. Every member behind the mutex but the two atomics.
@@ -83,7 +90,7 @@ bool Board::stopped() {
 
 std::optional<Failure> Board::run(const Job& job, std::string& outcome) {
   const Scene& scene = job.run->scene;
-  const std::string print = fingerprint(scene);
+  const std::string print = fingerprint(*job.run);
   if (options_.resume && is_finished(job.folder, print)) {
     outcome = "done before";
     advance(io::step_count(scene));
@@ -114,8 +121,13 @@ io::Insertion Board::insert(const Job& job, Simulation& simulation, io::RunFolde
     if (++steps - said >= steps_between_signs) advance(steps - std::exchange(said, steps));
     return !stopped();
   };
-  io::Insertion insertion = io::run_insertion(simulation, watch);
-  advance(io::step_count(job.run->scene) - said);
+  const Scene& scene = job.run->scene;
+  Hand hand(scene.hand, scene.run.time_step);
+  const auto next = [&](const Frame& last) {
+    return has_happened(job.run->until, simulation) ? std::nullopt : hand.next(last.hand_force);
+  };
+  io::Insertion insertion = io::run_insertion(simulation, next, watch);
+  advance(io::step_count(scene) - said);
   return insertion;
 }
 

@@ -9,6 +9,7 @@
 #include "acus/io/scene_toml.h"
 #include "acus/io/text_file.h"
 #include "acus/io/toml_document.h"
+#include "acus/sim/names.h"
 #include "acus/sim/scene_keys.h"
 #include "acus/study/markup.h"
 #include "acus/study/run_record.h"
@@ -52,6 +53,7 @@ class Reader : private TomlReading {
 
   void read_includes(const toml::table& root, int depth, Study& study);
   Group read_group(const toml::table& root);
+  std::string ending_event(const toml::table& root);
   std::optional<Scene> base_scene(const toml::table& root);
   std::vector<Case> named_runs(const toml::table& root);
   std::vector<Axis> axes(const toml::table& root);
@@ -232,12 +234,26 @@ ReportWish Reader::report(const toml::table& root) {
   return wish;
 }
 
+std::string Reader::ending_event(const toml::table& root) {
+  const std::string given = word(root, "until", "");
+  std::string known;
+  for (const EventKind kind :
+       {EventKind::contact, EventKind::buckling, EventKind::straightening, EventKind::puncture,
+        EventKind::second_buckling, EventKind::layer, EventKind::exit}) {
+    if (given.empty() || given == name_of(kind)) return given;
+    known += joined({known.empty() ? "" : ", ", name_of(kind)});
+  }
+  fail(root.get("until"), joined({"until does not know the event \"", given, "\"; it knows ", known}));
+  return {};
+}
+
 Group Reader::read_group(const toml::table& root) {
   Group group;
   group.name = word(root, "name", std::filesystem::path(file()).stem().string());
   group.title = word(root, "title", group.name);
   group.text = word(root, "text", "");
   group.report = report(root);
+  const std::string until = ending_event(root);
   const std::vector<Axis> grid_axes = axes(root);
   const std::vector<Case> named = named_runs(root), drawn = sample(root);
   if (!grid_axes.empty() && !drawn.empty())
@@ -264,7 +280,7 @@ Group Reader::read_group(const toml::table& root) {
       if (std::find(group.varied.begin(), group.varied.end(), choice.key) == group.varied.end())
         group.varied.push_back(choice.key);
     }
-    group.runs.push_back({std::move(one), *scene});
+    group.runs.push_back({std::move(one), *scene, until});
   }
   for (const std::string* key : {&group.report.panel, &group.report.curve}) {
     if (!key->empty() && std::find(group.varied.begin(), group.varied.end(), *key) == group.varied.end())
@@ -274,7 +290,7 @@ Group Reader::read_group(const toml::table& root) {
 }
 
 void Reader::read_includes(const toml::table& root, int depth, Study& study) {
-  for (const char* key : {"base", "scene", "axes", "run", "sample", "report"}) {
+  for (const char* key : {"base", "scene", "axes", "run", "sample", "report", "until"}) {
     if (root.get(key) != nullptr)
       fail(root.get(key), joined({"a study with include = [...] has no ", key,
                                   " of its own; put it into a file and include that"}));
@@ -302,7 +318,7 @@ Result<Study> Reader::read(int depth) {
   if (!parsed) return parsed.error();
   const toml::table& root = *parsed;
   only_keys(root, "a study",
-            {"name", "title", "text", "include", "base", "scene", "axes", "run", "sample", "report",
+            {"name", "title", "text", "include", "base", "scene", "axes", "run", "sample", "report", "until",
              "contradictions"});
   Study study;
   study.name = word(root, "name", std::filesystem::path(file()).stem().string());

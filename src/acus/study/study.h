@@ -8,6 +8,7 @@
 //   [axes]                                 # key = [values]: all combinations, the first axis varies slowest
 //   [sample]                               # instead of axes: count, seed and [sample.range] key = [low,
 //   high] [report]                               # show = [...], panel = key, curve = key
+//   until = "puncture"                     # a run ends with its first event of that kind
 // or, instead of runs of its own, include = ["fig6.toml", ...]: several studies in one report, and
 // contradictions = true: where the paper contradicts itself, at its end.
 #pragma once
@@ -33,6 +34,7 @@ struct ReportWish {
 struct Run {
   Case chosen;
   Scene scene;
+  std::string until;  // the event that ends it; empty for the end of the hand's movement
 };
 
 struct Group {

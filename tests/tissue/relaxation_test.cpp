@@ -83,16 +83,15 @@ class FloatingBar {
 class Relaxing : public BothElements {};
 ACUS_FOR_BOTH_ELEMENTS(Relaxing);
 
-TEST_P(Relaxing, compressed_at_once_and_held_its_force_falls_as_the_closed_form_says) {
+TEST_P(Relaxing, stretched_at_once_and_held_its_force_falls_as_the_closed_form_says) {
   for (double nu : {0.2, 0.48}) {
-    const double h = 5e-3, strain = -1e-5;
+    const double h = 5e-3, strain = 1e-5;  // pressed, what floats turns over
     FloatingBar bar(GetParam(), light(nu), relaxation_step(half, h));
     const Bar exact(light(nu), half);
     for (int step = 1; step <= 200; ++step) {
       const double stress = bar.step_to(strain, h);
-      if (step % 10 == 1) printf("%g %g %g %g\n", nu, step * h, stress / strain, exact.modulus((step - 0.5) * h));
       if (step > 2) {
-        EXPECT_NEAR(stress / strain, exact.modulus((step - 0.5) * h), 1e-2 * exact.lasting)
+        ASSERT_NEAR(stress / strain, exact.modulus((step - 0.5) * h), 1e-3 * exact.lasting)
             << nu << ", " << step * h << " s";
       }
     }

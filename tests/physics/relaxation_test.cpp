@@ -13,7 +13,7 @@ INSTANTIATE_TEST_SUITE_P(Of, Relaxation, testing::Values(NeedleModel::column, Ne
 
 // Along a path over tissue that loses `share` of its stiffness; nothing ruptures, nothing buckles.
 Scene pressed(NeedleModel model, double share, double time, std::vector<HandPoint> path) {
-  Scene scene = table_one(0.12, 0.0);
+  Scene scene = table_one(0.12, 5e-3);
   scene.needle_model = model;
   scene.tissue.relaxation_share = share;
   scene.tissue.relaxation_time = time;
@@ -101,11 +101,36 @@ TEST_P(Relaxation, ledger_closes_and_the_dashpots_only_spend) {
         const force::Ledger &before = run.frames[k - 1].ledger, &now = run.frames[k].ledger;
         ASSERT_LT(std::abs(run.frames[k].energy_residual), 1e-5 * most_work) << time << ", " << k;
         ASSERT_GE(now.work_relaxation, before.work_relaxation) << time << ", " << k;
-        ASSERT_GT(now.work_numerical, before.work_numerical - 1e-5 * most_work) << time << ", " << k;
+        // What a step spends on dashpots and integration together is a square for every step and time; apart,
+        // the second may be a little below nothing where tissue creeps.
+        ASSERT_GT(now.work_numerical + now.work_relaxation,
+                  before.work_numerical + before.work_relaxation - 1e-6 * most_work)
+            << time << ", " << k;
+        ASSERT_GT(now.work_numerical, -2e-3 * most_work) << time << ", " << k;
       }
       EXPECT_LT(run.frames.back().ledger.work_numerical, 0.06 * most_work) << time;
       EXPECT_GT(run.frames.back().ledger.work_relaxation, time == 0.3 ? 0.05 * most_work : 0.0) << time;
     }
+}
+
+// The numerical line holds what the others leave, so a wrong dissipation would stay in it however short the
+// step.
+TEST(RelaxationLedger, what_is_numerical_halves_with_the_time_step_and_what_relaxes_stays) {
+  std::vector<double> numerical, relaxed;
+  for (double step : {1e-3, 0.5e-3, 0.25e-3}) {
+    Scene scene = table_one(0.15, 15e-3);
+    scene.tissue.relaxation_share = 0.4;
+    scene.tissue.relaxation_time = 0.1;
+    scene.run.time_step = step;
+    const force::Ledger end = insert(scene).frames.back().ledger;
+    numerical.push_back(end.work_numerical);
+    relaxed.push_back(end.work_relaxation);
+  }
+  EXPECT_LT(numerical[1], 0.7 * numerical[0]);
+  EXPECT_LT(numerical[2], 0.7 * numerical[1]);
+  EXPECT_GT(numerical[2], 0.0);
+  EXPECT_NEAR(relaxed[1], relaxed[2], 0.02 * relaxed[2]);
+  EXPECT_GT(relaxed[2], 10.0 * numerical[2]);
 }
 
 }  // namespace

@@ -85,10 +85,10 @@ ACUS_FOR_BOTH_ELEMENTS(Relaxing);
 
 TEST_P(Relaxing, stretched_at_once_and_held_its_force_falls_as_the_closed_form_says) {
   for (double nu : {0.2, 0.48}) {
-    const double h = 5e-3, strain = 1e-5;  // pressed, what floats turns over
+    const double h = 1e-2, strain = 1e-5;  // pressed, what floats turns over
     FloatingBar bar(GetParam(), light(nu), relaxation_step(half, h));
     const Bar exact(light(nu), half);
-    for (int step = 1; step <= 200; ++step) {
+    for (int step = 1; step <= 100; ++step) {
       const double stress = bar.step_to(strain, h);
       if (step > 2) {
         ASSERT_NEAR(stress / strain, exact.modulus((step - 0.5) * h), 1e-3 * exact.lasting)

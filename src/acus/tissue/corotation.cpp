@@ -119,6 +119,26 @@ ACUS_INLINE void relax(Part& b, const BranchPart& branch, Lane* pull, const Lane
   b.relaxed = modulus * spent;
 }
 
+// Where stretch S = R^T F and stress T do not share their axes, as with a branch they need not, the rotation
+// itself does work on T: the gradient of the energy is R (T + Z) with the skew Z x = z x x, (tr(S) I - S) z
+// twice the axial vector of (S T - T S) / 2. Six numbers xx yy zz xy xz yz each. Bounded where the rotation
+// is about to jump.
+ACUS_INLINE void skew_stress(Lane* z, const Lane* s, const Lane* t) {
+  const Lane twist[3] = {s[4] * t[3] - t[4] * s[3] + s[5] * (t[1] - t[2]) - t[5] * (s[1] - s[2]),
+                         s[3] * t[5] - t[3] * s[5] + s[4] * (t[2] - t[0]) - t[4] * (s[2] - s[0]),
+                         s[5] * t[4] - t[5] * s[4] + s[3] * (t[0] - t[1]) - t[3] * (s[0] - s[1])};
+  const Lane a = s[1] + s[2], b = s[0] + s[2], c = s[0] + s[1];  // tr(S) I - S: its diagonal
+  const Lane ab = -s[3], ac = -s[4], bc = -s[5];
+  const Lane minor[6] = {b * c - bc * bc,  a * c - ac * ac,  a * b - ab * ab,
+                         ac * bc - ab * c, ab * bc - ac * b, ab * ac - a * bc};
+  const Lane determinant = a * minor[0] + ab * minor[3] + ac * minor[4];  // 8 at rest
+  constexpr double least = 1e-3;
+  const Lane inverse = determinant / (determinant * determinant + least * least);
+  z[0] = inverse * (minor[0] * twist[0] + minor[3] * twist[1] + minor[4] * twist[2]);
+  z[1] = inverse * (minor[3] * twist[0] + minor[1] * twist[1] + minor[5] * twist[2]);
+  z[2] = inverse * (minor[4] * twist[0] + minor[5] * twist[1] + minor[2] * twist[2]);
+}
+
 // `branch` is a BranchPart, or nothing.
 template <class... Branch>
 ACUS_INLINE void respond(Part& b, double* rotated_gradient, Lane volume, Lane mu, Lane lambda,
@@ -150,6 +170,12 @@ ACUS_INLINE void respond(Part& b, double* rotated_gradient, Lane volume, Lane mu
     relax(b, branch..., pull, deviator, 2.0 * mu * volume);
     constexpr int place[9] = {0, 3, 4, 3, 1, 5, 4, 5, 2};
     for (int k = 0; k < 9; ++k) s[k] -= pull[place[k]];
+    const Lane stretched[strain_numbers] = {xx + 1.0, yy + 1.0, zz + 1.0, xy, xz, yz};
+    Lane z[3];
+    skew_stress(z, stretched, pull);
+    s[5] -= z[0], s[7] += z[0];
+    s[6] -= z[1], s[2] += z[1];
+    s[1] -= z[2], s[3] += z[2];
   }
   Lane rotated[9], given[9];
   turn(rotated, b.r, s);

@@ -101,15 +101,15 @@ TEST_P(Relaxation, ledger_closes_and_the_dashpots_only_spend) {
         const force::Ledger &before = run.frames[k - 1].ledger, &now = run.frames[k].ledger;
         ASSERT_LT(std::abs(run.frames[k].energy_residual), 1e-5 * most_work) << time << ", " << k;
         ASSERT_GE(now.work_relaxation, before.work_relaxation) << time << ", " << k;
-        // What a step spends on dashpots and integration together is a square for every step and time; apart,
-        // the second may be a little below nothing where tissue creeps.
-        ASSERT_GT(now.work_numerical + now.work_relaxation,
-                  before.work_numerical + before.work_relaxation - 1e-6 * most_work)
+        // What a step spends on dashpots and integration together never falls; the second alone may, by very
+        // little, where tissue creeps.
+        const double spent = now.work_numerical + now.work_relaxation;
+        ASSERT_GT(spent, before.work_numerical + before.work_relaxation - 1e-6 * most_work)
             << time << ", " << k;
-        ASSERT_GT(now.work_numerical, -2e-3 * most_work) << time << ", " << k;
+        ASSERT_GT(now.work_numerical, before.work_numerical - 1e-5 * most_work) << time << ", " << k;
       }
       EXPECT_LT(run.frames.back().ledger.work_numerical, 0.06 * most_work) << time;
-      EXPECT_GT(run.frames.back().ledger.work_relaxation, time == 0.3 ? 0.05 * most_work : 0.0) << time;
+      EXPECT_GT(run.frames.back().ledger.work_relaxation, time == 0.3 ? 0.005 * most_work : 0.0) << time;
     }
 }
 

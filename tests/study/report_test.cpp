@@ -128,7 +128,7 @@ TEST(Report, its_numbers_are_those_of_the_files) {
         "a|buckled-then-punctured|0.3139|0.26|-17.2 %|0.44||||",  // closed form against simulated
         // felt: 4 mm/s for the 0.2 s of a reaction
         "a|buckled-then-punctured|1.2|0.26|1.8|0.44|0.8|0.5|2.5",
-        "a|8|2|2|0|0|4|0|0|0|0|0.025 %|2 %",  // the ledger
+        "a|8|2|2|0|0|4|0|0|0|0|0|0.025 %|2 %",  // the ledger
         "made / a|buckled-then-punctured|good|0.5|1234|2000|00ff00ff00ff00ff"})
     EXPECT_TRUE(rows.count(row)) << row;
   EXPECT_NE(report_of(read).html.find("Made by acus 9.9, hand, none, Eigen 3."), std::string::npos);

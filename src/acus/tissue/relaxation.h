@@ -7,7 +7,8 @@
 // Pister and Goudreau, Int. J. Num. Meth. Eng. 2, 1970; Simo and Hughes, Computational Inelasticity, ch. 10):
 //   q1 = a q0 + b (e1 - e0),   a = exp(-x),   b = (1 - a) / x,
 // whatever the step. To the system matrix the branch is a shear modulus of G m b more, and nothing else; the
-// force at a step's beginning is that of a q0. The dashpot spends exactly
+// force at a step's beginning is that of a q0, with what the rotation adds (corotation.cpp, skew_stress). The
+// dashpot spends exactly
 //   integral of 2 G m |q|^2 / tau = 2 G m (c |q0 + s (e1 - e0)|^2 + r |e1 - e0|^2)   J/m^3 in a step,
 //   c = x b (1 + a) / 2,   s = b / (1 + a),   r >= 0: a sum of squares, which cannot shrink.
 #pragma once

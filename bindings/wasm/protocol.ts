@@ -105,6 +105,7 @@ export const numberNames = [
   "solver_iterations",
   "energy_contact_J",
   "work_snap_J",
+  "work_relaxation_J",
   "energy_grip_J",
 ] as const;
 export type NumberName = typeof numberNames[number];

@@ -64,7 +64,7 @@ async function isTheNativeOne(page, seen) {
   assert.deepEqual(told, native.events.map(({ event, hand_force_N }) => `${eventWords[event]}, ${hand_force_N.toFixed(3)} N`.replace('-', '\u2212')));
   for (const event of ['contact', 'buckling', 'puncture', 'second_buckling', 'exit']) assert.ok(native.events.some((one) => one.event === event), event);
   for (const row of trace) {
-    const found = row.energy_tissue_J + row.energy_needle_J + row.energy_kinetic_J + row.energy_contact_J + row.work_cutting_J + row.work_friction_J + row.work_damping_J + row.work_numerical_J + row.work_snap_J + row.energy_residual_J;
+    const found = row.energy_tissue_J + row.energy_needle_J + row.energy_kinetic_J + row.energy_contact_J + row.work_cutting_J + row.work_friction_J + row.work_damping_J + row.work_relaxation_J + row.work_numerical_J + row.work_snap_J + row.energy_residual_J;
     assert.ok(Math.abs(found - row.work_hand_J) < 1e-9 + 1e-9 * Math.abs(row.work_hand_J), 'the areas of the ledger add up to the work of the hand');
   }
 }

@@ -51,6 +51,7 @@ TEST(TraceCsv, every_value_stands_under_its_own_name_and_reads_back_to_the_bit) 
       {"work_damping_J", &frame.ledger.work_damping},
       {"work_numerical_J", &frame.ledger.work_numerical},
       {"work_snap_J", &frame.ledger.work_snap},
+      {"work_relaxation_J", &frame.ledger.work_relaxation},
       {"energy_residual_J", &frame.energy_residual},
   };
   for (std::size_t i = 0; i < numbers.size(); ++i)

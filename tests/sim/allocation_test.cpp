@@ -11,19 +11,21 @@
 namespace acus {
 namespace {
 
-class StepAllocation : public ::testing::TestWithParam<std::tuple<Element, Coupling, NeedleModel>> {};
+class StepAllocation : public ::testing::TestWithParam<std::tuple<Element, Coupling, NeedleModel, double>> {};
 INSTANTIATE_TEST_SUITE_P(
     , StepAllocation,
-    ::testing::Values(std::tuple{Element::nodal_pressure, Coupling::embedded, NeedleModel::column},
-                      std::tuple{Element::linear, Coupling::embedded, NeedleModel::column},
-                      std::tuple{Element::linear, Coupling::nearest_node, NeedleModel::column},
-                      std::tuple{Element::nodal_pressure, Coupling::embedded, NeedleModel::rod}));
+    ::testing::Values(std::tuple{Element::nodal_pressure, Coupling::embedded, NeedleModel::column, 0.0},
+                      std::tuple{Element::nodal_pressure, Coupling::embedded, NeedleModel::column, 0.4},
+                      std::tuple{Element::linear, Coupling::embedded, NeedleModel::column, 0.0},
+                      std::tuple{Element::linear, Coupling::nearest_node, NeedleModel::column, 0.0},
+                      std::tuple{Element::nodal_pressure, Coupling::embedded, NeedleModel::rod, 0.4}));
 
 // In and out again in 400 steps: contact, puncture, cutting, withdrawal.
 TEST_P(StepAllocation, is_none_through_contact_puncture_and_withdrawal) {
   Scene scene;
   scene.tissue.tetrahedra = 600;
-  std::tie(scene.tissue.element, scene.contact.coupling, scene.needle_model) = GetParam();
+  std::tie(scene.tissue.element, scene.contact.coupling, scene.needle_model, scene.tissue.relaxation_share) =
+      GetParam();
   scene.contact.rupture_force = 0.5;  // N
   auto built = Simulation::build(scene);
   ASSERT_TRUE(built.ok()) << built.error().sentence;

@@ -45,22 +45,26 @@ class BareTissue {
   numeric::NodeVector velocity, load;  // m/s and N, [free nodes]
   Corotation corotation;
   SystemMatrix matrix;
+  MaxwellBranch branch;
   double relative_residual = 1e-14;  // of the conjugate gradients
   int iterations = 0;
 
-  BareTissue(const HeldMesh& held, const std::vector<Material>& materials, ElementKind kind)
-      : model(build_tissue_model(held.mesh, materials, kind, held.free_nodes).value()),
+  BareTissue(const HeldMesh& held, const std::vector<Material>& materials, ElementKind kind,
+             const RelaxationStep& relaxation = {})
+      : model(build_tissue_model(held.mesh, materials, kind, held.free_nodes, relaxation).value()),
         rest(held.mesh.nodes),
         position(rest),
         velocity(static_cast<std::size_t>(numeric::node_stride) * held.free_nodes, 0.0),
         load(velocity),
         corotation(build_corotation(model)),
         matrix(build_system_matrix(model)),
+        branch(build_branch(model)),
         scratch_(model.free_nodes) {
     corotate_into(corotation, model, position);
   }
-  BareTissue(const HeldMesh& held, const Material& material, ElementKind kind)
-      : BareTissue(held, std::vector<Material>(held.mesh.tets.size(), material), kind) {}
+  BareTissue(const HeldMesh& held, const Material& material, ElementKind kind,
+             const RelaxationStep& relaxation = {})
+      : BareTissue(held, std::vector<Material>(held.mesh.tets.size(), material), kind, relaxation) {}
 
   // One step of linearly implicit Euler, as motion.h writes it.
   void step(double h, const Rayleigh& damping = {}) {
@@ -71,7 +75,7 @@ class BareTissue {
     numeric::add_scaled_into(momentum, h, load);
     solve(velocity, momentum);
     move(position, velocity, h);
-    corotate_into(corotation, model, position);
+    corotate_into(corotation, branch, model, position);
   }
 
   // The displacement that the stiffness of the present configuration gives under `force`.

@@ -50,6 +50,7 @@ Json energy(const Summary& summary) {
           {"work_damping_J", l.work_damping},
           {"work_numerical_J", l.work_numerical},
           {"work_snap_J", l.work_snap},
+          {"work_relaxation_J", l.work_relaxation},
           {"residual_J", force::residual(l)},
           {"peak_work_hand_J", summary.peak_work_hand},
           {"peak_residual_J", summary.peak_energy_residual},

@@ -33,6 +33,7 @@ constexpr std::array of_frames = {
     Column<Frame>{"solver_iterations", ACUS_NUMBER(solver_iterations)},
     Column<Frame>{"energy_contact_J", ACUS_NUMBER(ledger.energy_contact)},
     Column<Frame>{"work_snap_J", ACUS_NUMBER(ledger.work_snap)},
+    Column<Frame>{"work_relaxation_J", ACUS_NUMBER(ledger.work_relaxation)},
 };
 
 constexpr std::array of_events = {

@@ -159,7 +159,9 @@ Result<Model> build_model(const Scene& scene, const mesh::TetMesh* mesh) {
   const int free_nodes = free_nodes_first(m.mesh, far_nodes(m.mesh, m.path.direction, held_fraction));
   const TissueScene& t = scene.tissue;
   const std::vector<tissue::Material> materials(m.mesh.tets.size(), m.material());
-  auto tissue = tissue::build_tissue_model(m.mesh, materials, t.element, free_nodes);
+  auto tissue = tissue::build_tissue_model(
+      m.mesh, materials, t.element, free_nodes,
+      tissue::relaxation_step({t.relaxation_share, t.relaxation_time}, scene.run.time_step));
   if (!tissue) return tissue.error();
   m.tissue = std::move(*tissue);
   m.damping = {t.damping_mass, t.damping_stiffness};

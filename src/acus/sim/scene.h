@@ -21,12 +21,14 @@ enum class HandKind { steady, path, person };
 
 struct TissueScene {
   bool rigid = false;            // a fixed stop instead of tissue: the bare column in a testing machine
-  double youngs_modulus = 25e3;  // Pa, Table I
+  double youngs_modulus = 25e3;  // Pa, Table I; what is left when all has relaxed
   double poisson_ratio = 0.48;   // Table I
   double density = 1000.0;       // kg/m^3, Table I
   Element element = Element::nodal_pressure;
   double damping_mass = 0.0;        // 1/s, Rayleigh: D = damping_mass M + damping_stiffness K
   double damping_stiffness = 5e-3;  // s, chosen: damps the layer's first shear mode (12 Hz) by about a fifth
+  double relaxation_share = 0.0;    // of the stiffness in shear that a sudden load meets; gone after a while
+  double relaxation_time = 1.0;     // s, chosen
   Vec3 size{0.1, 0.1, 0.06};        // m, block centred on x = y = 0, bottom at z = 0; depth last
   int tetrahedra = 10000;           // aimed at
   std::string mesh;                 // a mesh file instead of the block; empty for the block

@@ -150,6 +150,7 @@ std::uint64_t Simulation::state_hash() const {
   std::uint64_t hash = hash_seed;
   for (const Vec3& x : s.position) hash = hash_of({x.data(), 3}, hash);
   hash = hash_of(s.velocity, hash);
+  hash = hash_of(s.branch.spring, hash);
   hash = hash_of(s.channel.length, hash);
   hash = hash_of(s.channel.elongation, hash);
   const double needle[] = {static_cast<double>(s.steps),

@@ -25,6 +25,7 @@ struct State {
   std::vector<Vec3> position;    // m, [nodes]; advance
   numeric::NodeVector velocity;  // m/s, [free nodes]; solve_coupled
   numeric::NodeVector velocity_change;  // m/s, over the last step, [free nodes]; advance
+  tissue::MaxwellBranch branch;         // of tissue that relaxes; corotate_into
   // m/s of the tissue per m/s of the needle, [free nodes], roughly; solve_coupled
   numeric::NodeVectorOf<float> influence;
 

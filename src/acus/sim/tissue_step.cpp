@@ -22,12 +22,14 @@ void move_tissue(const Model& m, State& s, Scratch& w, TissueBefore& before, con
   before.matrix_product = numeric::dot(s.velocity, w.product);
   probe(StepPart::ledger);
   tissue::move(s.position, s.velocity, h);
-  tissue::corotate_into(w.corotation, m.tissue, s.position);
+  tissue::corotate_into(w.corotation, s.branch, m.tissue, s.position);
   probe(StepPart::rotation);
 }
 
-// Exact identities of linearly implicit Euler (motion.h): with K' frozen the elastic energy is quadratic, so
-// its change is -f_el . dx + dx . K' dx / 2, and what the new rotations change is booked too.
+// With a Maxwell branch K' and f_el are those of elastic tissue and branch together (relaxation.h); so are
+// the energies, and what its dashpots spend has a line of its own. Exact identities of linearly implicit
+// Euler (motion.h): with K' frozen the elastic energy is quadratic, so its change is -f_el . dx + dx . K' dx
+// / 2, and what the new rotations change is booked too.
 void account_tissue(const Model& m, State& s, const Scratch& w, const TissueBefore& before) {
   const double h = m.scene.run.time_step;
   const double vmv = tissue::mass_product(m.tissue, s.velocity);
@@ -35,7 +37,8 @@ void account_tissue(const Model& m, State& s, const Scratch& w, const TissueBefo
   const double frozen_energy = before.energy - before.elastic_work + 0.5 * h * h * vkv;
   s.ledger.work_damping += h * (m.damping.mass * vmv + m.damping.stiffness * vkv);
   s.ledger.work_numerical += 0.5 * tissue::mass_product(m.tissue, s.velocity_change) + 0.5 * h * h * vkv +
-                             (frozen_energy - w.corotation.energy);
+                             (frozen_energy - w.corotation.energy) - w.corotation.relaxed;
+  s.ledger.work_relaxation += w.corotation.relaxed;
   s.ledger.energy_tissue = w.corotation.energy;
   s.ledger.energy_kinetic = 0.5 * vmv;
 }

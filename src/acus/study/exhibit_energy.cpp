@@ -23,7 +23,7 @@ constexpr Line lines[] = {
     {"energy_contact_J", "contact springs", 4}, {"energy_kinetic_J", "kinetic", 6},
     {"work_cutting_J", "cutting", 2},           {"work_friction_J", "friction", 3},
     {"work_damping_J", "damping", 5},           {"work_snap_J", "snaps", 7},
-    {"work_numerical_J", "integrator", 6}};
+    {"work_relaxation_J", "relaxation", 4},     {"work_numerical_J", "integrator", 6}};
 
 StackPlot energy_plot(const GroupRecords& group, const Panel& panel, const RunRecord& run) {
   StackPlot plot;

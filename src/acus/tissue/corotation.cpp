@@ -23,6 +23,14 @@ struct Part {
   Lane r[9];         // rotation
   Lane force[4][4];  // N, corner by corner; beside it the share V tr(e) / 4 of the nodes' mean dilations
   Lane energy;       // J
+  Lane relaxed;      // J
+};
+
+// Where a part's numbers of a Maxwell branch are kept.
+struct BranchPart {
+  const RelaxationStep& step;
+  double* spring;
+  double* strain;
 };
 
 ACUS_INLINE void gather(Part& b, const double* gradient, const mesh::Tet* corners, const Vec3* x) {
@@ -89,7 +97,52 @@ ACUS_INLINE void give_to_corners(Lane (*force)[4], const Lane* given) {
   }
 }
 
-ACUS_INLINE void respond(Part& b, double* rotated_gradient, Lane volume, Lane mu, Lane lambda) {
+// Takes a branch to the deviator of the strain `e`; its energy and what it spends go to `b`. Returns in
+// `pull` V times the stress that is left of it at the end of the next step, xx yy zz xy xz yz.
+ACUS_INLINE void relax(Part& b, const BranchPart& branch, Lane* pull, const Lane* e, Lane two_mu_v) {
+  const RelaxationStep& r = branch.step;
+  const Lane modulus = r.modulus * two_mu_v;
+  Lane stored{}, spent{};
+  for (int k = 0; k < strain_numbers; ++k) {
+    const double times = k < 3 ? 1.0 : 2.0;  // a shear stands twice in a tensor
+    const Lane change = e[k] - load_part<Lane>(branch.strain + k * lanes);
+    const Lane before = load_part<Lane>(branch.spring + k * lanes);
+    const Lane mean = before + r.lead * change;
+    const Lane now = r.kept * before + r.taken * change;
+    stored += times * now * now;
+    spent += times * (r.spent * mean * mean + r.rest * change * change);
+    pull[k] = r.kept * modulus * now;
+    std::memcpy(branch.spring + k * lanes, &now, sizeof now);
+    std::memcpy(branch.strain + k * lanes, &e[k], sizeof e[k]);
+  }
+  b.energy += 0.5 * modulus * stored;
+  b.relaxed = modulus * spent;
+}
+
+// Where stretch S = R^T F and stress T do not share their axes, as with a branch they need not, the rotation
+// itself does work on T: the gradient of the energy is R (T + Z) with the skew Z x = z x x, (tr(S) I - S) z
+// twice the axial vector of (S T - T S) / 2. Six numbers xx yy zz xy xz yz each. Bounded where the rotation
+// is about to jump.
+ACUS_INLINE void skew_stress(Lane* z, const Lane* s, const Lane* t) {
+  const Lane twist[3] = {s[4] * t[3] - t[4] * s[3] + s[5] * (t[1] - t[2]) - t[5] * (s[1] - s[2]),
+                         s[3] * t[5] - t[3] * s[5] + s[4] * (t[2] - t[0]) - t[4] * (s[2] - s[0]),
+                         s[5] * t[4] - t[5] * s[4] + s[3] * (t[0] - t[1]) - t[3] * (s[0] - s[1])};
+  const Lane a = s[1] + s[2], b = s[0] + s[2], c = s[0] + s[1];  // tr(S) I - S: its diagonal
+  const Lane ab = -s[3], ac = -s[4], bc = -s[5];
+  const Lane minor[6] = {b * c - bc * bc,  a * c - ac * ac,  a * b - ab * ab,
+                         ac * bc - ab * c, ab * bc - ac * b, ab * ac - a * bc};
+  const Lane determinant = a * minor[0] + ab * minor[3] + ac * minor[4];  // 8 at rest
+  constexpr double least = 1e-3;
+  const Lane inverse = determinant / (determinant * determinant + least * least);
+  z[0] = inverse * (minor[0] * twist[0] + minor[3] * twist[1] + minor[4] * twist[2]);
+  z[1] = inverse * (minor[3] * twist[0] + minor[1] * twist[1] + minor[5] * twist[2]);
+  z[2] = inverse * (minor[4] * twist[0] + minor[5] * twist[1] + minor[2] * twist[2]);
+}
+
+// `branch` is a BranchPart, or nothing.
+template <class... Branch>
+ACUS_INLINE void respond(Part& b, double* rotated_gradient, Lane volume, Lane mu, Lane lambda,
+                         const Branch&... branch) {
   Lane q[9];  // R g_i of corners 1 to 3, 1/m
   turn(q, b.r, b.g);
   for (int k = 0; k < 9; ++k) std::memcpy(rotated_gradient + k * lanes, &q[k], sizeof q[k]);
@@ -107,9 +160,23 @@ ACUS_INLINE void respond(Part& b, double* rotated_gradient, Lane volume, Lane mu
                        0.5 * lambda * trace * trace);
   const Lane minus_two_mu_v = -2.0 * mu * volume;
   const Lane p = -lambda * trace * volume;
-  const Lane s[9] = {minus_two_mu_v * xx + p, minus_two_mu_v * xy,     minus_two_mu_v * xz,
-                     minus_two_mu_v * xy,     minus_two_mu_v * yy + p, minus_two_mu_v * yz,
-                     minus_two_mu_v * xz,     minus_two_mu_v * yz,     minus_two_mu_v * zz + p};  // -V sigma
+  Lane s[9] = {minus_two_mu_v * xx + p, minus_two_mu_v * xy,     minus_two_mu_v * xz,
+               minus_two_mu_v * xy,     minus_two_mu_v * yy + p, minus_two_mu_v * yz,
+               minus_two_mu_v * xz,     minus_two_mu_v * yz,     minus_two_mu_v * zz + p};  // -V sigma
+  if constexpr (sizeof...(branch) > 0) {
+    const Lane third = trace / 3.0;
+    const Lane deviator[strain_numbers] = {xx - third, yy - third, zz - third, xy, xz, yz};
+    Lane pull[strain_numbers];
+    relax(b, branch..., pull, deviator, 2.0 * mu * volume);
+    constexpr int place[9] = {0, 3, 4, 3, 1, 5, 4, 5, 2};
+    for (int k = 0; k < 9; ++k) s[k] -= pull[place[k]];
+    const Lane stretched[strain_numbers] = {xx + 1.0, yy + 1.0, zz + 1.0, xy, xz, yz};
+    Lane z[3];
+    skew_stress(z, stretched, pull);
+    s[5] -= z[0], s[7] += z[0];
+    s[6] -= z[1], s[2] += z[1];
+    s[1] -= z[2], s[3] += z[2];
+  }
   Lane rotated[9], given[9];
   turn(rotated, b.r, s);
   turn(given, rotated, b.g);
@@ -117,7 +184,9 @@ ACUS_INLINE void respond(Part& b, double* rotated_gradient, Lane volume, Lane mu
   for (auto& force : b.force) force[3] = 0.25 * volume * trace;
 }
 
-ACUS_KERNEL void corotate_elements(Corotation& out, const TissueModel& m, const Vec3* x) {
+// `branch` is a MaxwellBranch, or nothing.
+template <class... Branch>
+ACUS_INLINE void each_element(Corotation& out, const TissueModel& m, const Vec3* x, Branch&... branch) {
   for (std::size_t first = 0; first < m.corners.size(); first += lanes) {
     Part batch[parts];
     for (int p = 0; p < parts; ++p)
@@ -126,13 +195,26 @@ ACUS_KERNEL void corotate_elements(Corotation& out, const TissueModel& m, const 
     BatchSum<double, Lane> sum(out.elastic_force.data(), m.offsets.data() + first);
     for (int p = 0; p < parts; ++p) {
       const std::size_t at = first + p * width;
+      [[maybe_unused]] const std::size_t of_branch = strain_numbers * first + p * width;
       respond(batch[p], &out.rotated_gradient[9 * first + p * width], load_part<Lane>(&m.volume[at]),
-              load_part<Lane>(&m.shear[at]), load_part<Lane>(&m.local_lambda[at]));
+              load_part<Lane>(&m.shear[at]), load_part<Lane>(&m.local_lambda[at]),
+              BranchPart{m.relaxation, &branch.spring[of_branch], &branch.strain[of_branch]}...);
       for (int i = 0; i < 4; ++i) sum.take(p, i, batch[p].force[i]);
       for (int l = 0; l < width; ++l) out.energy += batch[p].energy[l];
+      if constexpr (sizeof...(branch) > 0)
+        for (int l = 0; l < width; ++l) out.relaxed += batch[p].relaxed[l];
     }
     sum.finish();
   }
+}
+
+ACUS_KERNEL void corotate_elements(Corotation& out, const TissueModel& m, const Vec3* x) {
+  each_element(out, m, x);
+}
+
+ACUS_KERNEL void corotate_and_relax_elements(Corotation& out, MaxwellBranch& branch, const TissueModel& m,
+                                             const Vec3* x) {
+  each_element(out, m, x, branch);
 }
 
 // Energy and force of the mean dilations: f_i -= (V / 4) (sum over the corners of kappa theta) R g_i.
@@ -158,6 +240,19 @@ ACUS_KERNEL void add_nodal_pressure(Corotation& out, const TissueModel& m) {
   }
 }
 
+void clear(Corotation& out) {
+  std::fill(out.elastic_force.begin(), out.elastic_force.end(), 0.0);
+  std::fill(out.dilation.begin(), out.dilation.end(), 0.0);
+  out.energy = out.relaxed = 0.0;
+  out.newton_failures = 0;
+}
+
+void finish(Corotation& out, const TissueModel& model) {
+  if (model.kind == ElementKind::nodal_pressure) add_nodal_pressure(out, model);
+  for (std::size_t i = 3; i < out.elastic_force.size(); i += node_stride) out.elastic_force[i] = 0.0;
+  out.finite = std::isfinite(out.energy);
+}
+
 }  // namespace
 
 Corotation build_corotation(const TissueModel& model) {
@@ -169,14 +264,17 @@ Corotation build_corotation(const TissueModel& model) {
 }
 
 void corotate_into(Corotation& out, const TissueModel& model, std::span<const Vec3> positions) {
-  std::fill(out.elastic_force.begin(), out.elastic_force.end(), 0.0);
-  std::fill(out.dilation.begin(), out.dilation.end(), 0.0);
-  out.energy = 0.0;
-  out.newton_failures = 0;
+  clear(out);
   corotate_elements(out, model, positions.data());
-  if (model.kind == ElementKind::nodal_pressure) add_nodal_pressure(out, model);
-  for (std::size_t i = 3; i < out.elastic_force.size(); i += node_stride) out.elastic_force[i] = 0.0;
-  out.finite = std::isfinite(out.energy);
+  finish(out, model);
+}
+
+void corotate_into(Corotation& out, MaxwellBranch& branch, const TissueModel& model,
+                   std::span<const Vec3> positions) {
+  if (!model.relaxation.relaxes()) return corotate_into(out, model, positions);
+  clear(out);
+  corotate_and_relax_elements(out, branch, model, positions.data());
+  finish(out, model);
 }
 
 }  // namespace acus::tissue

@@ -4,7 +4,8 @@
 // tr(e) I, and the force on corner i is f_i = -V R sigma g_i, which is Eq. 5's -R K (R^-1 x - x0) written
 // without the 12x12 matrix. With the polar R it is the exact gradient of the energy V (mu e:e + lambda/2
 // tr(e)^2). For nodal_pressure, lambda is -2 mu / 3 and node a adds kappa_a V_a theta_a^2 / 2 with its mean
-// dilation theta_a = sum over its elements of (V / 4) tr(e) / V_a.
+// dilation theta_a = sum over its elements of (V / 4) tr(e) / V_a. A Maxwell branch (relaxation.h) adds its
+// stress.
 #pragma once
 
 #include <span>
@@ -20,14 +21,20 @@ struct Corotation {
   std::vector<double> rotated_gradient;  // [groups][9][lanes] 1/m: q_i = R g_i of corners 1 to 3
   std::vector<double> dilation;          // [nodes] theta_a; stays empty for linear
   numeric::NodeVector elastic_force;     // [nodes] N, of the tissue on its nodes
-  double energy = 0.0;                   // J
+  double energy = 0.0;                   // J, with that of the branches' springs
+  double relaxed = 0.0;                  // J, spent by the branches' dashpots in the step that ends here
   bool finite = true;                    // false as soon as a position is not a number
   int newton_failures = 0;               // elements that needed the slow, safe rotation
 };
 
 Corotation build_corotation(const TissueModel& model);
 
-// Evaluates all of it at `positions` (one per node, m). Inverted, flat and collapsed elements are allowed.
+// Evaluates all of it, but for the branches, at `positions` (one per node, m). Inverted, flat and collapsed
+// elements are allowed.
 void corotate_into(Corotation& out, const TissueModel& model, std::span<const Vec3> positions);
+// The same at the end of a step, over which `branch` is taken. To `elastic_force` it adds what would be left
+// of its force at the end of the next one if nothing moved; the system matrix has the rest.
+void corotate_into(Corotation& out, MaxwellBranch& branch, const TissueModel& model,
+                   std::span<const Vec3> positions);
 
 }  // namespace acus::tissue

@@ -21,8 +21,8 @@ class ExactElements {
   ACUS_INLINE ExactElements(const TissueModel& m, const Corotation& corotation, double factor)
       : gradient_(corotation.rotated_gradient.data()),
         volume_(m.volume.data()),
-        shear_(m.shear.data()),
-        lambda_(m.local_lambda.data()),
+        shear_(m.step_shear.data()),
+        lambda_(m.step_lambda.data()),
         factor_(factor) {}
   ACUS_INLINE void go_to(std::size_t first, int part) {
     const int skipped = part * lanes_in<Real, Lane>;

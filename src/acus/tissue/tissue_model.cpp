@@ -21,6 +21,9 @@ void place_element(TissueModel& m, int tet, const Shape& shape, const Material& 
   // mu |dev e|^2 = mu |e|^2 - (mu / 3) (tr e)^2: with the bulk part at the nodes only this remains here.
   m.local_lambda[tet] =
       m.kind == ElementKind::linear ? lame_lambda(material) : -2.0 / 3.0 * shear_modulus(material);
+  const double stiffening = m.relaxation.stiffening() * m.shear[tet];
+  m.step_shear[tet] = m.shear[tet] + stiffening;
+  m.step_lambda[tet] = m.local_lambda[tet] - 2.0 / 3.0 * stiffening;
 }
 
 // Corner i's gradient at rest, 1/m.
@@ -41,7 +44,7 @@ void find_node_stiffness(TissueModel& m) {
   std::vector<std::vector<int>> around(m.nodes);  // the elements that meet at a node
   for (int e = 0; e < m.tets; ++e)
     for (int i = 0; i < 4; ++i) {
-      const double trace = m.volume[e] * (m.local_lambda[e] + 4.0 * m.shear[e]);
+      const double trace = m.volume[e] * (m.step_lambda[e] + 4.0 * m.step_shear[e]);
       m.node_stiffness[m.corners[e][i]] += trace / 3.0 * gradient_at(m, e, i).squaredNorm();
       around[m.corners[e][i]].push_back(e);
     }
@@ -61,8 +64,9 @@ void find_node_stiffness(TissueModel& m) {
 }  // namespace
 
 Result<TissueModel> build_tissue_model(const mesh::TetMesh& mesh, std::span<const Material> materials,
-                                       ElementKind kind, int free_nodes) {
+                                       ElementKind kind, int free_nodes, const RelaxationStep& relaxation) {
   TissueModel m;
+  m.relaxation = relaxation;
   m.kind = kind;
   m.nodes = static_cast<int>(mesh.nodes.size());
   m.free_nodes = free_nodes;
@@ -73,6 +77,7 @@ Result<TissueModel> build_tissue_model(const mesh::TetMesh& mesh, std::span<cons
   m.volume.assign(padded, 0.0);
   m.shear.assign(padded, 0.0);
   m.local_lambda.assign(padded, 0.0);
+  m.step_shear = m.step_lambda = m.local_lambda;
   m.node_mass.assign(mesh.nodes.size(), 0.0);
   m.node_volume.assign(mesh.nodes.size(), 0.0);
   std::vector<double> bulk(mesh.nodes.size(), 0.0);
@@ -115,6 +120,14 @@ Result<TissueModel> build_tissue_model(const mesh::TetMesh& mesh, std::span<cons
 
   find_node_stiffness(m);
   return m;
+}
+
+MaxwellBranch build_branch(const TissueModel& m) {
+  MaxwellBranch branch;
+  if (!m.relaxation.relaxes()) return branch;
+  branch.spring.assign(strain_numbers * m.corners.size(), 0.0);
+  branch.strain = branch.spring;
+  return branch;
 }
 
 }  // namespace acus::tissue

@@ -9,6 +9,7 @@
 #include "acus/mesh/tet_mesh.h"
 #include "acus/tissue/element_kind.h"
 #include "acus/tissue/material.h"
+#include "acus/tissue/relaxation.h"
 
 namespace acus::tissue {
 
@@ -27,21 +28,29 @@ struct TissueModel {
   int nodes = 0;
   int free_nodes = 0;  // nodes 0 .. free_nodes - 1 move; the rest are held
   int tets = 0;
+  RelaxationStep relaxation;
 
-  std::vector<mesh::Tet> corners;         // [groups][lanes]
-  std::vector<mesh::Tet> offsets;         // [groups][lanes] where the corners stand in a node vector
-  std::vector<double> gradient;           // [groups][9][lanes] 1/m: g_1, g_2, g_3 of Shape; g_0 = -(sum)
-  std::vector<double> volume;             // [groups][lanes] m^3; 0 in the padding
-  std::vector<double> shear;              // [groups][lanes] Pa, mu
-  std::vector<double> local_lambda;       // [groups][lanes] Pa, acts on the element's own dilation
+  std::vector<mesh::Tet> corners;    // [groups][lanes]
+  std::vector<mesh::Tet> offsets;    // [groups][lanes] where the corners stand in a node vector
+  std::vector<double> gradient;      // [groups][9][lanes] 1/m: g_1, g_2, g_3 of Shape; g_0 = -(sum)
+  std::vector<double> volume;        // [groups][lanes] m^3; 0 in the padding
+  std::vector<double> shear;         // [groups][lanes] Pa, mu
+  std::vector<double> local_lambda;  // [groups][lanes] Pa, acts on the element's own dilation
+  // What the system matrix shows of the two: more by what a Maxwell branch adds to a step (relaxation.h).
+  std::vector<double> step_shear;         // [groups][lanes] Pa
+  std::vector<double> step_lambda;        // [groups][lanes] Pa
   std::vector<double> node_mass;          // [nodes] kg, lumped
   std::vector<double> node_volume;        // [nodes] m^3, a quarter of each tetrahedron
   std::vector<double> node_bulk_modulus;  // [nodes] Pa, volume-weighted mean; empty for linear
-  std::vector<double> node_stiffness;     // [nodes] N/m, a third of the trace of K's diagonal block at rest
+  std::vector<double>
+      node_stiffness;  // [nodes] N/m, a third of the trace of K's diagonal block at rest, of a step
 };
 
 // `materials` has one entry per tetrahedron; `mesh` numbers its free nodes first. Errors: element and reason.
 Result<TissueModel> build_tissue_model(const mesh::TetMesh& mesh, std::span<const Material> materials,
-                                       ElementKind kind, int free_nodes);
+                                       ElementKind kind, int free_nodes,
+                                       const RelaxationStep& relaxation = {});
+
+MaxwellBranch build_branch(const TissueModel& model);
 
 }  // namespace acus::tissue

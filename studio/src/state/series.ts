@@ -24,6 +24,7 @@ export const ledger: { column: Column; words: string; token: string }[] = [
   { column: 'work_cutting_J', words: 'cutting', token: 'e-cutting' },
   { column: 'work_friction_J', words: 'friction', token: 'e-friction' },
   { column: 'work_damping_J', words: 'damping', token: 'e-damping' },
+  { column: 'work_relaxation_J', words: 'relaxation', token: 'e-relaxation' },
   { column: 'work_numerical_J', words: 'numerical loss', token: 'e-numerical' },
   { column: 'work_snap_J', words: 'snapping straight', token: 'e-snap' },
 ];

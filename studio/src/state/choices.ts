@@ -67,10 +67,21 @@ export const materials: Preset[] = [
   { words: 'PEEK, 3.6 GPa', settings: { 'needle.youngs_modulus_GPa': 3.6, 'needle.density_kg_m3': 1300 }, source: 'unfilled polymer, data-sheet value' },
 ];
 
-const model = (value: string, words: string, source: string): Preset => ({ words, settings: { 'needle.model': value }, source });
+// A column's tip has no side.
 export const models: Preset[] = [
-  model('column', 'closed forms', 'the paper’s; straight inside the tissue'),
-  model('rod', 'elastic rod', 'bends outside and inside the tissue, with its mass'),
+  { words: 'closed forms', settings: { 'needle.model': 'column', 'needle.bevel_deg': 0 }, source: 'the paper’s; straight inside the tissue' },
+  { words: 'elastic rod', settings: { 'needle.model': 'rod' }, source: 'bends outside and inside the tissue, with its mass' },
+];
+const bevel = (degrees: number): Preset => ({
+  words: `bevel, ${degrees}°`,
+  settings: { 'needle.bevel_deg': degrees, 'needle.model': 'rod' },
+  source: 'steers to the side of its point; an elastic rod',
+});
+export const tips: Preset[] = [
+  { words: 'symmetric', settings: { 'needle.bevel_deg': 0 }, source: 'the paper’s; goes straight' },
+  bevel(30),
+  bevel(20),
+  bevel(12),
 ];
 
 const support = (value: string, words: string, source: string): Preset => ({ words, settings: { 'needle.support': value }, source });

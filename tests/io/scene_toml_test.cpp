@@ -149,7 +149,7 @@ TEST(SceneToml, writing_and_reading_back_gives_the_same_scene) {
     std::ostringstream toml;
     toml.precision(17);
     for (const SceneKey& key : scene_keys())
-      if (*rc::gen::arbitrary<bool>()) {
+      if (*rc::gen::inRange(0, 4) == 0) {  // few at a time, or hardly a scene makes sense together
         toml << key.name << " = ";
         std::visit(DrawField{toml}, key.field);
         toml << "\n";

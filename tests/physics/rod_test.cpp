@@ -110,6 +110,27 @@ TEST(RodInTissue, goes_out_and_in_again_through_its_channel) {
             1);
 }
 
+// Pushed through a thin slab and drawn out again: friction falls with what is inside, and nothing holds it at
+// the end.
+TEST(RodInTissue, comes_out_at_the_far_side_and_back) {
+  Scene scene = table_one(0.15, 40e-3, 50e-3, 600);
+  scene.needle_model = NeedleModel::rod;
+  scene.tissue.size = {0.06, 0.06, 0.02};
+  scene.contact.rupture_force = 0.3;
+  scene.hand.kind = HandKind::path;
+  scene.hand.path = {{0.0, 0.0}, {0.8, 40e-3}, {1.7, -5e-3}};
+  const Insertion run = insert(scene);
+  ASSERT_TRUE(run.first(EventKind::exit));
+  EXPECT_LT(run.first(EventKind::exit)->time, 0.8);
+  EXPECT_NEAR(run.at_travel(35e-3).inserted_length, 20e-3, 3e-3);
+  EXPECT_EQ(run.frames.back().stage, Stage::withdrawn);
+  EXPECT_EQ(run.frames.back().inserted_length, 0.0);
+  EXPECT_NEAR(run.frames.back().hand_force, 0.0, 1e-3);
+  double pulled = 0.0;
+  for (const Frame& f : run.frames) pulled = std::min(pulled, f.hand_force);
+  EXPECT_GT(pulled, -1.2 * scene.contact.friction * 20e-3);
+}
+
 // A hub led aside and turned, against the beam clamped at the hub and pinned at the tip: an offset d asks for
 // the force 3 EI d / L^3 and the moment 3 EI d / L^2, a turn by an angle for 3 EI angle / L^2 and 3 EI angle
 // / L.

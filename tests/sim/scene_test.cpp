@@ -35,6 +35,7 @@ TEST(Scene, every_contradiction_is_named_by_its_key) {
       {"needle.radius_mm", "1/20", [](Scene& s) { s.needle.length = 0.005; }},
       {"needle.imperfection_mm", "1/100", [](Scene& s) { s.needle.imperfection = 0.003; }},
       {"needle.inner_radius_mm", "0.297 mm", [](Scene& s) { s.needle.inner_radius = 0.3e-3; }},
+      {"needle.bevel_deg", "from 5 to 90", [](Scene& s) { s.needle.bevel_degrees = 0.1; }},
       {"needle.bevel_deg", "rod", [](Scene& s) { s.needle.bevel_degrees = 20.0; }},
       {"tissue.direction", "[0, 0, -1]", [](Scene& s) { s.tissue.direction.setZero(); }},
       {"tissue.mesh", "remove one", [](Scene& s) { s.tissue.rigid = true, s.tissue.mesh = "liver.msh"; }},

@@ -6,9 +6,9 @@ namespace acus::force {
 struct Ledger {
   double work_hand = 0.0;        // J, done by the hand on the hub
   double energy_tissue = 0.0;    // J, elastic, in the tissue
-  double energy_needle = 0.0;    // J, bending and axial compression of the needle
+  double energy_needle = 0.0;    // J, bending, stretch and twist of the needle
   double energy_contact = 0.0;   // J, springs between needle and tissue (tip contact, pre-sliding)
-  double energy_kinetic = 0.0;   // J, tissue
+  double energy_kinetic = 0.0;   // J, tissue and rod
   double work_cutting = 0.0;     // J, never decreases
   double work_friction = 0.0;    // J, never decreases
   double work_damping = 0.0;     // J, Rayleigh

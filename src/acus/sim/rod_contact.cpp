@@ -67,7 +67,9 @@ coupling::Slider tip_slider(const Model& m, const State& s) {
 double tip_hold(const Model& m, const State& s) {
   if (s.through) return 0.0;
   const int cells = s.needle.channel.cells();
-  if (s.punctured) return cells > 0 ? s.needle.cell_lateral[cells - 1] * coupling::channel_cell : 0.0;
+  if (s.punctured)  // drawn back, its cells hold it
+    return cells > 0 && s.tip_elongation >= 0.0 ? s.needle.cell_lateral[cells - 1] * coupling::channel_cell
+                                                : 0.0;
   const bool rests = s.tip_elongation > 0.0 && m.scene.needle.support != needle::Support::clamped_free;
   return rests ? m.scene.contact.stiffness : 0.0;
 }
@@ -177,8 +179,8 @@ RodPlace place_rod(const Model& m, const State& s) {
   if (s.punctured) {
     const RodPoint entry = nearest_point(m, s, to, m.rod.edges - 1);
     const double beyond = m.scene.needle.length - arc_from_hub(m, entry);
-    place.inserted_length =
-        s.through ? m.path.length : std::max(beyond - std::max(s.tip_elongation, 0.0), 0.0);
+    place.inserted_length = s.through ? std::clamp(beyond, 0.0, s.channel_depth)
+                                      : std::max(beyond - std::max(s.tip_elongation, 0.0), 0.0);
     place.free_length -= std::max(beyond, 0.0);
     place.covered_depth = std::clamp(s.channel_depth + s.tip_elongation, 0.0, s.channel_depth);
     last = entry.edge;
@@ -290,7 +292,7 @@ bool cut_along_tip(const Model& m, State& s, double slip) {
   while (n.channel.cells() * coupling::channel_cell < s.channel_depth && n.channel.cells() < m.most_cells())
     add_cell(m, s, direction);
   const double beyond = (n.channel_end - m.path.entry).dot(m.path.direction) - m.path.length;
-  if (s.tip.empty() || beyond >= 0.0) {
+  if (beyond >= 0.0 || !m.locator->locate(n.channel_end, m.scene.contact.contact_radius)) {
     s.through = true;
     s.tip_elongation = 0.0;  // the contact spring lets go
   }

@@ -100,7 +100,8 @@ double imbalance(const Model& m, const std::vector<double>& load) {
   const double arm = m.rod.edge_length.front();
   double largest = 0.0;
   for (int i = 0; i < m.rod.unknowns(); ++i)
-    largest = std::max(largest, std::abs(load[i]) / (needle::is_spin(i) ? arm : 1.0));
+    if (const double size = std::abs(load[i]) / (needle::is_spin(i) ? arm : 1.0); !(size <= largest))
+      largest = size;  // also what is no number
   return largest / m.scene.run.time_step;
 }
 

@@ -59,6 +59,10 @@ Complaint needle_complaint(const Scene& scene) {
   if (needle.inner_radius > (1.0 - thinnest_wall) * needle.radius)
     return "needle.inner_radius_mm must be at most 0.99 of needle.radius_mm, which allows " +
            in_mm((1.0 - thinnest_wall) * needle.radius) + ", but is " + in_mm(needle.inner_radius);
+  constexpr double sharpest_bevel = 5.0;  // degrees: a face of more than eleven diameters is no tip
+  if (needle.bevel_degrees > 0.0 && needle.bevel_degrees < sharpest_bevel)
+    return "needle.bevel_deg must be 0 for a tip without a side, or from 5 to 90, but is " +
+           decimal_text(needle.bevel_degrees);
   if (needle.bevel_degrees > 0.0 && scene.needle_model != NeedleModel::rod)
     return "needle.bevel_deg is for needle.model = \"rod\"; a column's tip has no side; set the model or "
            "remove the bevel";

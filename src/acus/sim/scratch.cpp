@@ -22,7 +22,7 @@ Scratch build_scratch(const Model& m) {
     v->assign(size, 0.0);
   w.stick_load.assign(size, 0.0F);
   w.answer.assign(size, 0.0F);
-  w.held.reserve(static_cast<std::size_t>(m.most_cells()) + 1);
+  w.held.reserve(static_cast<std::size_t>(m.channel.cells()) + 1);
   return w;
 }
 

@@ -80,7 +80,10 @@ const Frame& Simulation::step(const needle::Pose& hub) {
   return p.frame;
 }
 
-needle::Pose Simulation::hub() const { return parts_->state.needle.hub; }
+needle::Pose Simulation::hub() const {
+  const Parts& p = *parts_;
+  return p.model.bends_freely() ? p.state.needle.hub : hub_pose(p.model, p.state.hub_travel);
+}
 
 void Simulation::set_probe(const StepProbe& probe) { parts_->probe = probe; }
 

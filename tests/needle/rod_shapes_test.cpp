@@ -13,12 +13,7 @@ namespace {
 using namespace machine;
 using std::numbers::pi;
 
-NeedleSpec straight(Support support) {
-  NeedleSpec spec;  // Table I
-  spec.support = support;
-  spec.imperfection = 0.0;
-  return spec;
-}
+NeedleSpec straight(Support support) { return table_one(support, 0.0); }
 const double length = NeedleSpec{}.length;
 
 Pose askew() {

@@ -16,12 +16,7 @@ namespace {
 using namespace machine;
 using std::numbers::pi;
 
-NeedleSpec steel(Support support) {
-  NeedleSpec spec;  // Table I
-  spec.support = support;
-  spec.imperfection = 2e-4;
-  return spec;
-}
+NeedleSpec steel(Support support) { return table_one(support, 2e-4); }
 
 Pose towards(const Vec3& direction) {
   Pose pose;

@@ -11,6 +11,14 @@ namespace machine {
 using namespace acus;
 using namespace acus::needle;
 
+// Table I's needle.
+inline NeedleSpec table_one(Support support, double imperfection) {
+  NeedleSpec spec;
+  spec.support = support;
+  spec.imperfection = imperfection;
+  return spec;
+}
+
 // What acts on the tip.
 struct Tip {
   Pose pose;                      // where the vice is; its directions count where the rod's tip is clamped

@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "acus/force/energy_force.h"
@@ -74,6 +75,31 @@ inline Scene table_one(double length, double travel, double speed = 30e-3, int t
 
 inline double euler_load(const Scene& scene, double free_length) {
   return needle::critical_load(needle::bending_rigidity(scene.needle), free_length, scene.needle.support);
+}
+
+// Table I's needle: EI = 1.2723e-3 N m^2, so pi^2 EI / L^2 = 0.31394 N at 200 mm; factors of Euler's theory.
+inline constexpr double pinned_pinned_load = 0.31394;  // N
+inline constexpr std::pair<needle::Support, double> euler_factors[] = {
+    {needle::Support::pinned_pinned, 1.0},
+    {needle::Support::clamped_pinned, 2.04575},
+    {needle::Support::clamped_clamped, 4.0},
+    {needle::Support::clamped_free, 0.25}};
+
+// N. Southwell's plot: bow against bow / load is a straight line whose slope is the critical load, whatever
+// the imperfection. Read from the bows of the trace beyond the `initial` one, from `least` to `most` [m],
+// without knowing the load beforehand.
+inline double southwell_load(const Insertion& run, double initial, double least, double most) {
+  std::vector<std::pair<double, double>> plot;  // bow / load, bow
+  double mx = 0.0, my = 0.0, sxy = 0.0, sxx = 0.0;
+  for (const Frame& f : run.frames)
+    if (const double bow = f.deflection - initial; bow > least && bow < most) {
+      plot.push_back({bow / f.hand_force, bow});
+      mx += plot.back().first, my += bow;
+    }
+  EXPECT_GT(plot.size(), 5U);
+  mx /= static_cast<double>(plot.size()), my /= static_cast<double>(plot.size());
+  for (auto [x, y] : plot) sxy += (x - mx) * (y - my), sxx += (x - mx) * (x - mx);
+  return sxy / sxx;
 }
 
 }  // namespace acus::physics

@@ -1,5 +1,4 @@
 // The energy ledger closes, and the force it implies is the one at the hub.
-#include <list>
 #include <map>
 
 #include "insertion.h"
@@ -10,7 +9,7 @@ using namespace acus::physics;
 namespace {
 
 struct Case {
-  const char* name;
+  std::string name;
   Scene scene;
 };
 
@@ -34,15 +33,12 @@ std::vector<Case> cases() {
   back.hand.kind = HandKind::path;
   back.hand.path = {{0.0, 0.0}, {1.0, 20e-3}, {1.2, 20e-3}, {2.0, 2e-3}};
   all.push_back({"withdrawal", back});
-  for (const char* name : {"straight_puncture", "buckled", "snap", "withdrawal"})
-    for (std::size_t i = 0; i < all.size(); ++i)
-      if (std::string(name) == all[i].name) {
-        Scene rod = all[i].scene;
-        rod.needle_model = NeedleModel::rod;
-        static std::list<std::string> names;
-        all.push_back({names.emplace_back("rod_" + std::string(name)).c_str(), rod});
-        break;
-      }
+  for (const char* name : {"straight_puncture", "buckled", "snap", "withdrawal"}) {
+    Case rod = *std::find_if(all.begin(), all.end(), [&](const Case& c) { return c.name == name; });
+    rod.name = "rod_" + rod.name;
+    rod.scene.needle_model = NeedleModel::rod;
+    all.push_back(rod);
+  }
   return all;
 }
 
@@ -54,7 +50,7 @@ const Insertion& run_of(const Case& of) {
 
 class Ledger : public testing::TestWithParam<Case> {};
 INSTANTIATE_TEST_SUITE_P(Of, Ledger, testing::ValuesIn(cases()),
-                         [](const auto& of) { return std::string(of.param.name); });
+                         [](const auto& of) { return of.param.name; });
 
 // The demand is 1 % of the hand's work; what is left is the solver's tolerance.
 TEST_P(Ledger, closes) {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "acus/io/mesh_file.h"
+#include "acus/mesh/block.h"
 #include "insertion.h"
 
 using namespace acus;
@@ -13,9 +14,6 @@ using namespace acus::physics;
 using needle::Support;
 
 namespace {
-
-// Table I's needle: EI = 1.2723e-3 N m^2, so pi^2 EI / L^2 = 0.31394 N at 200 mm; factors of Euler's theory.
-constexpr double pinned_pinned_load = 0.31394;  // N
 
 Scene in_testing_machine(Support support, double shortening_ratio) {
   Scene scene;
@@ -28,14 +26,8 @@ Scene in_testing_machine(Support support, double shortening_ratio) {
 }
 
 class Rod : public testing::TestWithParam<std::pair<Support, double>> {};
-INSTANTIATE_TEST_SUITE_P(FourSupports, Rod,
-                         testing::Values(std::pair{Support::pinned_pinned, 1.0},
-                                         std::pair{Support::clamped_pinned, 2.04575},
-                                         std::pair{Support::clamped_clamped, 4.0},
-                                         std::pair{Support::clamped_free, 0.25}));
+INSTANTIATE_TEST_SUITE_P(FourSupports, Rod, testing::ValuesIn(euler_factors));
 
-// Southwell's plot: bow against bow / load is a straight line whose slope is the critical load, whatever the
-// imperfection.
 TEST_P(Rod, southwell_plot_gives_euler_load) {
   const auto [support, factor] = GetParam();
   Scene scene = in_testing_machine(support, 0.002);
@@ -45,17 +37,8 @@ TEST_P(Rod, southwell_plot_gives_euler_load) {
   const double most = support == Support::clamped_free ? 10e-3 : 3e-3;
   const Insertion run = insert(scene);
   const double initial = run.frames.front().deflection;
-  std::vector<std::pair<double, double>> plot;  // (bow - initial) / load, bow - initial
-  for (const Frame& f : run.frames) {
-    const double bow = f.deflection - initial;
-    if (bow > least && bow < most) plot.push_back({bow / f.hand_force, bow});
-  }
-  ASSERT_GT(plot.size(), 5u);
-  double mx = 0, my = 0, sxy = 0, sxx = 0;
-  for (auto [x, y] : plot) mx += x, my += y;
-  mx /= static_cast<double>(plot.size()), my /= static_cast<double>(plot.size());
-  for (auto [x, y] : plot) sxy += (x - mx) * (y - my), sxx += (x - mx) * (x - mx);
-  EXPECT_NEAR(sxy / sxx, factor * pinned_pinned_load, 0.005 * factor * pinned_pinned_load);
+  const double load = southwell_load(run, initial, least, most);
+  EXPECT_NEAR(load, factor * pinned_pinned_load, 0.005 * factor * pinned_pinned_load);
 }
 
 // What buckles is neither the time step's doing nor the hand's speed.
@@ -138,7 +121,8 @@ TEST(RodHub, feels_the_force_and_moment_of_a_beam) {
   Scene scene = in_testing_machine(Support::clamped_pinned, 0.1);
   scene.needle.imperfection = 0.0;
   const double L = scene.needle.length, EI = needle::bending_rigidity(scene.needle);
-  for (const bool turned : {false, true}) {
+  for (const auto& [turned, grip] : {std::pair{false, 0.0}, std::pair{true, 0.0}, std::pair{false, 1e6}}) {
+    scene.hand.stiffness = grip;  // gives way along the path alone
     auto simulation = Simulation::build(scene);
     ASSERT_TRUE(simulation.ok());
     needle::Pose hub = simulation->hub();
@@ -223,6 +207,67 @@ TEST(Bevel, goes_straight_while_it_spins) {
   const double aside = std::hypot(spun.tip.x(), spun.tip.y());
   EXPECT_LT(aside, 0.15 * still.tip.x());
   EXPECT_LT(std::abs(spun.end.energy_residual), 1e-4 * spun.end.ledger.work_hand);
+}
+
+// Where the tip touches beside the entry, the channel begins there: nothing pulls the shaft aside.
+TEST(RodHub, may_go_in_beside_the_entry) {
+  Scene scene = table_one(0.1, 30e-3, 50e-3, 800);
+  scene.needle_model = NeedleModel::rod;
+  scene.needle.radius = 0.5e-3;
+  scene.needle.imperfection = 0.0;
+  scene.contact.rupture_force = 0.5;
+  auto simulation = Simulation::build(scene);
+  ASSERT_TRUE(simulation.ok());
+  const needle::Pose start = simulation->hub();
+  const double beside = 1.5e-3;
+  needle::Pose hub = start;
+  double numerical = 0.0, aside = 0.0;
+  for (int i = 1; i <= 900; ++i) {
+    const double travel = i <= 400 ? -3e-3 : -3e-3 + 50e-6 * (i - 400);  // lifted and led aside, then pushed
+    hub.position =
+        start.position + travel * start.tangent + beside * std::min(1.0, i / 300.0) * start.director;
+    const Frame& f = simulation->step(hub);
+    ASSERT_EQ(f.health, Health::good) << i;
+    ASSERT_GT(f.ledger.work_numerical, numerical - 1e-7) << i;
+    numerical = f.ledger.work_numerical;
+    if (f.inserted_length > 0.0) aside = std::max(aside, std::abs(f.hub_force.dot(start.director)));
+  }
+  EXPECT_GT(simulation->frame().inserted_length, 10e-3);
+  EXPECT_LT(aside, 0.02);  // N; the tissue beside the entry is not quite symmetric
+}
+
+// A path that is not along an axis: the grip gives way by its stiffness there too.
+TEST(RodHub, grip_gives_way_along_an_oblique_path) {
+  const auto block = mesh::build_graded_block({0.1, 0.1, 0.06}, 800);
+  ASSERT_TRUE(block.ok());
+  Scene scene = table_one(0.15, 10e-3);
+  scene.needle_model = NeedleModel::rod;
+  scene.tissue.mesh = "given";
+  scene.tissue.target = {0.0, 0.0, 0.03};
+  scene.tissue.direction = Vec3(0.3, -0.2, -1.0).normalized();
+  scene.hand.stiffness = 350.0;
+  auto simulation = Simulation::build(scene, &*block);
+  ASSERT_TRUE(simulation.ok()) << simulation.error().sentence;
+  for (int i = 1; i <= 100; ++i) {
+    const Frame& f = simulation->step(30e-6 * i);
+    ASSERT_EQ(f.health, Health::good) << i;
+    ASSERT_NEAR(f.hand_travel, 30e-6 * i - f.hand_force / 350.0, 1e-9) << i;
+  }
+  EXPECT_GT(simulation->frame().hand_force, 0.05);
+}
+
+TEST(RodHub, takes_directions_of_any_length_and_refuses_none) {
+  Scene scene = in_testing_machine(Support::clamped_pinned, 0.1);
+  auto one = Simulation::build(scene), other = Simulation::build(scene);
+  needle::Pose hub = one->hub();
+  hub.position += 1e-5 * hub.tangent;
+  one->step(hub);
+  hub.director = 3.0 * hub.director + hub.tangent;
+  hub.tangent *= 2.0;
+  other->step(hub);
+  EXPECT_EQ(other->state_hash(), one->state_hash());
+  hub.tangent.setZero();
+  EXPECT_EQ(one->step(hub).health, Health::not_finite);
 }
 
 // Second buckling loads of an independent program (../data: Euler-Bernoulli beam of 160 elements, lateral

@@ -9,7 +9,7 @@ struct Ledger {
   double energy_needle = 0.0;    // J, bending, stretch and twist of the needle
   double energy_contact = 0.0;   // J, springs between needle and tissue (tip contact, pre-sliding)
   double energy_kinetic = 0.0;   // J, tissue and rod
-  double work_cutting = 0.0;     // J, never decreases
+  double work_cutting = 0.0;     // J, never decreases, but by what the push of a bevel takes from it
   double work_friction = 0.0;    // J, never decreases
   double work_damping = 0.0;     // J, Rayleigh
   double work_relaxation = 0.0;  // J, never decreases; where the tissue relaxes

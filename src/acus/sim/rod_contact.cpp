@@ -51,17 +51,6 @@ Vec3 cell_now(const Model& m, const State& s, int cell) {
          coupling::displacement(s.needle.channel.attachment[cell], s.position, m.mesh.nodes);
 }
 
-// The tip against the channel's end: rupture before the puncture, cutting after it, nothing beyond the far
-// side.
-coupling::Slider tip_slider(const Model& m, const State& s) {
-  const double stiffness = s.through ? 0.0 : m.scene.contact.stiffness;
-  const double limit = m.rigid()     ? 1e30
-                       : s.through   ? 0.0
-                       : s.punctured ? m.cutting_force
-                                     : m.scene.contact.rupture_force;
-  return {stiffness, s.tip_elongation, 0.0, limit, true};
-}
-
 // N/m, by which the tip is held across its axis: by the dent it makes on the surface, in its cut as the shaft
 // is.
 double tip_hold(const Model& m, const State& s) {
@@ -159,10 +148,10 @@ void add_cell(const Model& m, State& s, const Vec3& direction) {
   attach_shaft_into(n.channel.attachment[cell], m, point);
   n.cell_point[cell] = point;
   const auto held = m.locator->locate(point, m.scene.contact.contact_radius);
-  const int tet = held ? held->tet : 0;
-  const coupling::NearField near =
-      coupling::near_field(tissue::shear_modulus(m.material()), m.scene.tissue.poisson_ratio,
-                           spacing_across(m, tet, direction), m.scene.needle.radius);
+  coupling::NearField near;  // outside of the mesh nothing holds
+  if (held)
+    near = coupling::near_field(tissue::shear_modulus(m.material()), m.scene.tissue.poisson_ratio,
+                                spacing_across(m, held->tet, direction), m.scene.needle.radius);
   n.cell_lateral[cell] = near.lateral;
   n.channel.stiffness[cell] = near.axial;
   ++n.channel.count;
@@ -213,11 +202,8 @@ void touch_rod(const Model& m, State& s, Scratch& w) {
   for (RodContact& c : w.rod.contacts) take_branch(c);
 }
 
-Vec3 rod_rate(const State& s, const RodContact& c) {
-  const auto at = [&](int node) {
-    const double* rate = &s.needle.rod.rate[needle::place_at(node)];
-    return Vec3(rate[0], rate[1], rate[2]);
-  };
+Vec3 at_contact(const std::vector<double>& unknowns, const RodContact& c) {
+  const auto at = [&](int node) { return Vec3::Map(&unknowns[needle::place_at(node)]); };
   return (1.0 - c.point.along) * at(c.point.edge) + c.point.along * at(c.point.edge + 1);
 }
 
@@ -231,7 +217,8 @@ Vec3 contact_load(const RodContact& c, const Vec3& way) {
 bool correct_grips(const Model& m, const State& s, Scratch& w) {
   bool changed = false;
   for (RodContact& c : w.rod.contacts) {
-    const double way = m.scene.run.time_step * c.axis.dot(rod_rate(s, c) - tissue_rate(s, c));
+    const double way =
+        m.scene.run.time_step * c.axis.dot(at_contact(s.needle.rod.rate, c) - tissue_rate(s, c));
     const Grip grip = coupling::grip_after(c.slider, way);
     if (grip == c.grip) continue;
     changed = true;
@@ -245,7 +232,7 @@ coupling::SliderStep slide_rod(const Model& m, State& s, const Scratch& w) {
   coupling::SliderStep tip;
   double energy = 0.0;
   for (const RodContact& c : w.rod.contacts) {
-    const Vec3 way = m.scene.run.time_step * (rod_rate(s, c) - tissue_rate(s, c));
+    const Vec3 way = m.scene.run.time_step * (at_contact(s.needle.rod.rate, c) - tissue_rate(s, c));
     const coupling::SliderStep step = coupling::advance(c.slider, way.dot(c.axis));
     const Vec3 sideways = across(way, c.axis);
     s.ledger.work_numerical += step.numerical + 0.5 * c.lateral * sideways.squaredNorm();
@@ -267,6 +254,10 @@ coupling::SliderStep slide_rod(const Model& m, State& s, const Scratch& w) {
 bool cut_along_tip(const Model& m, State& s, double slip) {
   if (slip <= 0.0 || s.through || m.rigid()) return false;
   RodNeedle& n = s.needle;
+  if (s.channel_depth == 0.0) {  // the cut begins under the tip, wherever it touched
+    n.channel_end += n.tip_offset;
+    n.tip_offset.setZero();
+  }
   const auto held = m.locator->locate(n.channel_end, m.scene.contact.contact_radius);
   const Vec3 axis = tangent_at(s, m.rod.edges - 1);
   const Mat3 F =

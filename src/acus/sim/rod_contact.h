@@ -20,8 +20,9 @@ RodPlace place_rod(const Model& model, const State& state);
 // other places, is booked as lost.
 void touch_rod(const Model& model, State& state, Scratch& scratch);
 
-// m/s, of the rod's point and of the tissue there.
-Vec3 rod_rate(const State& state, const RodContact& contact);
+// Of the rod's point: what its nodes have in a vector of the rod's unknowns, rates or changes.
+Vec3 at_contact(const std::vector<double>& unknowns, const RodContact& contact);
+// m/s, of the tissue there.
 Vec3 tissue_rate(const State& state, const RodContact& contact);
 
 // N, of the tissue's resistance to the rod after a way [m] of the rod's point against it, whatever the

@@ -14,24 +14,18 @@ using numeric::NodeVector;
 
 constexpr int max_passes = 40;        // of Newton's method and the branches together; two are usual
 constexpr int max_iterations = 4000;  // of one conjugate-gradient solve
-constexpr double force_error =
-    1e-6;  // N, and N per metre of the rod for moments: what may be left unbalanced
+constexpr double force_error = 1e-6;  // N, and N per edge for moments: what may be left unbalanced
 
 void add_at(std::vector<double>& to, int at, const Vec3& v) {
   for (int k = 0; k < 3; ++k) to[at + k] += v[k];
 }
-Vec3 three(const std::vector<double>& from, int at) { return {from[at], from[at + 1], from[at + 2]}; }
+Vec3 three(const std::vector<double>& from, int at) { return Vec3::Map(&from[at]); }
 
-// to += J^T v for one contact, and J x.
+// to += J^T v for one contact; J x is at_contact.
 void add_to_rod(std::vector<double>& to, const RodContact& c, const Vec3& v) {
   add_at(to, needle::place_at(c.point.edge), (1.0 - c.point.along) * v);
   add_at(to, needle::place_at(c.point.edge + 1), c.point.along * v);
 }
-Vec3 of_rod(const std::vector<double>& x, const RodContact& c) {
-  return (1.0 - c.point.along) * three(x, needle::place_at(c.point.edge)) +
-         c.point.along * three(x, needle::place_at(c.point.edge + 1));
-}
-
 void add_block(needle::RodMatrix& matrix, int row, int column, const Mat3& block) {
   for (int r = 0; r < 3; ++r)
     for (int k = 0; k < 3; ++k)
@@ -54,20 +48,26 @@ void load_rod(const Model& m, const State& s, Scratch& w, const needle::Pose& hu
     add_block(motion.matrix, a, a, h * h * wa * wa * c.stiffness);
     add_block(motion.matrix, b, a, h * h * wb * wa * c.stiffness);
     add_block(motion.matrix, b, b, h * h * wb * wb * c.stiffness);
-    add_to_rod(motion.residual, c, h * (c.force - h * c.stiffness * of_rod(s.needle.rod.rate, c)));
+    add_to_rod(motion.residual, c, h * (c.force - h * c.stiffness * at_contact(s.needle.rod.rate, c)));
   }
 }
 
-// The hand on node 0: it leads it, or pulls it along the path by a grip that gives way.
+// N, of a grip on node 0, along the path.
+double grip_pull(const Model& m, const State& s, const needle::Pose& hub) {
+  return m.path.direction.dot(hub.position - s.needle.rod.position[0]) / m.grip_compliance;
+}
+
+// The hand on node 0: it leads it, or pulls it along the path by a grip that gives way there alone.
 void hold_hub(const Model& m, const State& s, Scratch& w, const needle::Pose& hub) {
-  if (m.grip_compliance == 0.0) return needle::hold_hub(w.rod.motion);
-  const double h = m.scene.run.time_step, stiffness = 1.0 / m.grip_compliance;
-  constexpr double heavy = 1e20;  // kg: nothing moves it sideways
-  const Vec3& along = m.path.direction;
-  const Mat3 axial = along * along.transpose();
-  add_block(w.rod.motion.matrix, 0, 0, h * h * stiffness * axial + heavy * (Mat3::Identity() - axial));
-  add_at(w.rod.motion.residual, 0,
-         h * stiffness * along.dot(hub.position - s.needle.rod.position[0]) * along);
+  needle::RodMotion& motion = w.rod.motion;
+  if (m.grip_compliance == 0.0) return needle::hold_hub(motion);
+  const double h = m.scene.run.time_step;
+  // kg, across: so heavy that nothing moves it, and not so heavy that its rounding holds node 0 along an
+  // oblique path.
+  constexpr double heavy = 1e10;
+  const Mat3 axial = m.path.direction * m.path.direction.transpose();
+  add_block(motion.matrix, 0, 0, h * h / m.grip_compliance * axial + heavy * (Mat3::Identity() - axial));
+  add_at(motion.residual, 0, h * grip_pull(m, s, hub) * m.path.direction);
 }
 
 // Both, factored. What edges under compression take from the matrix is let go by and by where it is not
@@ -129,7 +129,7 @@ struct Product {
     }
     w.rod.motion.matrix.solve(z.data());
     for (const RodContact& c : w.rod.contacts)
-      coupling::add_spread(y, *c.at, -h * h * c.stiffness * of_rod(z, c));
+      coupling::add_spread(y, *c.at, -h * h * c.stiffness * at_contact(z, c));
   }
 };
 
@@ -137,7 +137,7 @@ void load_tissue(const Model& m, const State& s, Scratch& w) {
   const double h = m.scene.run.time_step;
   w.right_hand_side = w.momentum;
   for (const RodContact& c : w.rod.contacts) {
-    const Vec3 rate = of_rod(s.needle.rod.rate, c) + of_rod(w.rod.free_answer, c);
+    const Vec3 rate = at_contact(s.needle.rod.rate, c) + at_contact(w.rod.free_answer, c);
     coupling::add_spread(w.right_hand_side, *c.at, h * (h * c.stiffness * rate - c.force));
   }
 }
@@ -156,8 +156,8 @@ double line_search(const Model& m, State& s, Scratch& w, const needle::Pose& hub
   const double h = m.scene.run.time_step;
   needle::RodMotion& motion = w.rod.motion;
   for (RodContact& c : w.rod.contacts) {
-    c.rate_before = of_rod(w.rod.before.rate, c);
-    c.rate_change = of_rod(w.rod.change, c);
+    c.rate_before = at_contact(w.rod.before.rate, c);
+    c.rate_change = at_contact(w.rod.change, c);
     if (m.rigid()) continue;
     c.rate_before -= coupling::mean(*c.at, w.velocity_tried);
     c.rate_change -= tissue_rate(s, c) - coupling::mean(*c.at, w.velocity_tried);
@@ -179,10 +179,8 @@ double line_search(const Model& m, State& s, Scratch& w, const needle::Pose& hub
     for (int i = 0; i < m.rod.unknowns(); ++i)
       sum += w.rod.change[i] * (needle::inertia(m.rod, i) * (s.needle.rod.rate[i] - motion.rate_before[i]) -
                                 h * motion.force[i]);
-    if (m.grip_compliance > 0.0) {
-      const double pull = m.path.direction.dot(hub.position - s.needle.rod.position[0]) / m.grip_compliance;
-      sum -= h * pull * m.path.direction.dot(three(w.rod.change, 0));
-    }
+    if (m.grip_compliance > 0.0)
+      sum -= h * grip_pull(m, s, hub) * m.path.direction.dot(three(w.rod.change, 0));
     for (const RodContact& c : w.rod.contacts)
       sum += h * c.rate_change.dot(contact_load(c, h * (c.rate_before + share * c.rate_change)));
     return sum;
@@ -218,21 +216,24 @@ RodOutcome solve_with_rod(const Model& m, State& s, Scratch& w, const needle::Po
   const double h = m.scene.run.time_step;
   RodOutcome outcome;
   needle::RodMotion& motion = w.rod.motion;
+  const Vec3& along = m.path.direction;
   const bool grip = m.grip_compliance > 0.0;
-  needle::Pose first = hub;  // of the iterate
-  if (grip) first.position = s.needle.rod.position[0] + h * three(s.needle.rod.rate, 0);
+  needle::Pose first = hub;  // of the iterate: along the path a grip lets node 0 go on as it went
+  if (grip)
+    first.position +=
+        along.dot(s.needle.rod.position[0] + h * three(s.needle.rod.rate, 0) - hub.position) * along;
   needle::begin_step(motion, m.rod, s.needle.rod, first, h);
   bool settled = false;
   for (int pass = 0; pass < max_passes; ++pass) {
     if (!factor_rod(m, s, w, hub)) break;
     motion.change = motion.residual;
     add_tissue_to(motion.change, m, s, w);
-    const Vec3 at_hub = three(motion.change, 0);
+    const Vec3 by_hub = -three(motion.change, 0) / h;
     leave_to_hub(m, motion.change);
     if (settled && imbalance(m, motion.change) <= force_error) {
-      const double pull =
-          grip ? m.path.direction.dot(hub.position - s.needle.rod.position[0]) / m.grip_compliance : 0.0;
-      outcome.hub_force = grip ? Vec3(pull * m.path.direction) : Vec3(-at_hub / h);
+      outcome.hub_force = by_hub;
+      // A grip's pull is in balance already; what it holds across the path is left.
+      if (grip) outcome.hub_force += (grip_pull(m, s, hub) - along.dot(by_hub)) * along;
       return outcome;
     }
     if (!m.rigid()) w.velocity_tried = s.velocity;
@@ -274,7 +275,7 @@ double hub_stiffness(const Model& m, const State& s, Scratch& w) {
     std::fill(w.stick_load.begin(), w.stick_load.end(), 0.0F);
     add_at(answer, 0, along);
     for (const RodContact& c : w.rod.contacts)
-      coupling::add_spread(w.stick_load, *c.at, h * h * c.stiffness * of_rod(answer, c));
+      coupling::add_spread(w.stick_load, *c.at, h * h * c.stiffness * at_contact(answer, c));
     add_at(answer, 0, -along);
     constexpr double tolerance = 1e-4;
     const double norm = std::sqrt(numeric::dot(w.stick_load, w.stick_load));

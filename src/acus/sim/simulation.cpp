@@ -73,8 +73,14 @@ const Frame& Simulation::step(const needle::Pose& hub) {
   Parts& p = *parts_;
   if (!p.model.bends_freely()) return step(direction().dot(hub.position - entry()) + scene().needle.length);
   if (p.frame.health != Health::good) return p.frame;
-  if (hub.position.allFinite() && hub.tangent.allFinite() && hub.director.allFinite())
-    advance_rod(p.model, p.state, p.scratch, hub, p.frame, p.events, p.probe);
+  needle::Pose led = hub;
+  led.tangent.normalize();
+  led.director = (hub.director - hub.director.dot(led.tangent) * led.tangent).normalized();
+  constexpr double rounding = 1e-9;
+  const bool upright =
+      std::abs(led.tangent.norm() - 1.0) < rounding && std::abs(led.director.norm() - 1.0) < rounding;
+  if (hub.position.allFinite() && upright)  // no number passes a comparison
+    advance_rod(p.model, p.state, p.scratch, led, p.frame, p.events, p.probe);
   else
     p.frame.health = Health::not_finite;
   return p.frame;
@@ -164,7 +170,11 @@ std::uint64_t Simulation::state_hash() const {
                            s.tip_elongation};
   hash = hash_of(needle, hash);
   if (!parts_->model.bends_freely()) return hash;
-  for (const Vec3& x : s.needle.rod.position) hash = hash_of({x.data(), 3}, hash);
+  const RodNeedle& n = s.needle;
+  for (const auto* vectors : {&n.rod.position, &n.rod.director})
+    for (const Vec3& x : *vectors) hash = hash_of({x.data(), 3}, hash);
+  for (const Vec3& x : {n.hub.position, n.hub.tangent, n.hub.director, n.channel_end})
+    hash = hash_of({x.data(), 3}, hash);
   return hash_of(s.needle.rod.rate, hash);
 }
 

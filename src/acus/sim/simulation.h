@@ -25,8 +25,9 @@ class Simulation {
   const Frame& step(double hand_travel);
 
   // The same for a hub that is led in all six degrees of freedom: where it is, which way the needle lies in
-  // it, and how it is turned about its axis (unit vectors across each other; a step turns it by less than a
-  // right angle). A column takes the part along the path.
+  // it, and how it is turned about its axis (directions, made unit and across each other; a step turns it by
+  // less than a right angle). A pose without directions ends the run as not finite. A column takes the part
+  // along the path.
   const Frame& step(const needle::Pose& hub);
   needle::Pose hub() const;  // where the hub is held now
 

@@ -1,6 +1,7 @@
 #include "acus/sim/state.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "acus/sim/hand.h"
 
@@ -13,6 +14,14 @@ needle::Pose hub_pose(const Model& m, double travel) {
   const Vec3 sideways = y.norm() > 0.5 ? Vec3(y.normalized()) : Vec3(Vec3::UnitX());
   const Vec3 director = (sideways - sideways.dot(along) * along).normalized();
   return {m.path.entry + (travel - m.scene.needle.length) * along, along, director};
+}
+
+coupling::Slider tip_slider(const Model& m, const State& s) {
+  const double unbreakable = std::numeric_limits<double>::infinity();
+  if (m.rigid()) return {m.scene.contact.stiffness, s.tip_elongation, 0.0, unbreakable, true};
+  const double stiffness = s.through ? 0.0 : m.scene.contact.stiffness;
+  const double limit = s.through ? 0.0 : s.punctured ? m.cutting_force : m.scene.contact.rupture_force;
+  return {stiffness, s.tip_elongation, 0.0, limit, true};
 }
 
 NeedlePlace place_needle(const Model& m, const State& s) {

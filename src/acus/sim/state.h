@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "acus/coupling/slider.h"
 #include "acus/force/energy_force.h"
 #include "acus/sim/frame.h"
 #include "acus/sim/model.h"
@@ -48,6 +49,10 @@ struct State {
 
 // The hub of a hand that goes straight along the path: `travel` [m] from first touch.
 needle::Pose hub_pose(const Model& model, double travel);
+
+// The tip against the channel's end: rupture before the puncture, cutting after it, nothing beyond the far
+// side. Against a stop there is no puncture.
+coupling::Slider tip_slider(const Model& model, const State& state);
 
 // The needle's own geometry, from the state.
 struct NeedlePlace {

@@ -31,14 +31,6 @@ Before remember(const Model& m, const State& s, const Scratch& w) {
   return before;
 }
 
-// The tip against the channel's end: rupture before the puncture, cutting after it, nothing beyond the far
-// side.
-coupling::Slider tip_slider(const Model& m, const State& s) {
-  const double stiffness = s.through ? 0.0 : m.scene.contact.stiffness;
-  const double limit = s.through ? 0.0 : s.punctured ? m.cutting_force : m.scene.contact.rupture_force;
-  return {stiffness, s.tip_elongation, 0.0, limit, true};
-}
-
 // The needle over its channel, and everything that can hold it there.
 void touch(const Model& m, State& s, Scratch& w, const NeedlePlace& place) {
   s.ledger.work_friction += coupling::cover(s.channel, m.channel, place.covered_depth, place.inserted_length);

@@ -82,7 +82,7 @@ export class SocketSource implements EngineClient {
 
 // A refused socket gives no reason. A server that gives its page, and not its socket, was not told its token.
 async function whyUnreached(): Promise<string> {
-  const answers = await fetch(location.href, { cache: 'no-store' }).then(({ ok }) => ok, () => false);
+  const answers = await fetch(location.href, { cache: 'no-store', signal: AbortSignal.timeout(2000) }).then(({ ok }) => ok, () => false);
   return answers
     ? 'acus serve was started again and does not know this page any more: open the address that it printed last, in its terminal.'
     : 'acus serve does not answer; trying again. Is it still running in its terminal?';

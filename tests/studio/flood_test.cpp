@@ -1,6 +1,6 @@
 // A device at the needle while another process floods the server: quiet and flooded in turns. What guarantees
 // that the servo does not notice is asserted: its ticks allocate nothing and wait for no lock, whoever
-// shouts. How long they take is printed, for docs/server.md. ACUS_FLOOD says how many messages.
+// shouts. How long they take is printed, for docs/server.md. ACUS_FLOODS says how often.
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 #include <sys/wait.h>

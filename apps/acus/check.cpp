@@ -11,6 +11,7 @@
 #include "acus/sim/hill.h"
 #include "acus/sim/names.h"
 #include "acus/sim/prediction.h"
+#include "acus/sim/support.h"
 #include "verbs.h"
 
 namespace acus::app {
@@ -18,14 +19,27 @@ namespace {
 
 constexpr double degrees = 57.29577951308232;  // per radian
 
-void print_needle(const needle::NeedleSpec& spec) {
-  const double rigidity = needle::bending_rigidity(spec);
+void print_needle(const Scene& scene) {
+  const needle::NeedleSpec& spec = scene.needle;
   std::printf("Needle   %g mm long, radius %g mm, bending rigidity %.4g N m^2, mass %.3g g\n",
-              spec.length / units::mm, spec.radius / units::mm, rigidity, 1e3 * needle::mass(spec));
-  std::printf("         buckles at its whole length under");
-  for (needle::Support support : needle::all_supports)
-    std::printf("%s %.4f N (%s)", support == needle::all_supports.front() ? "" : ",",
-                needle::critical_load(rigidity, spec.length, support), name_of(support).c_str());
+              spec.length / units::mm, spec.radius / units::mm, needle::bending_rigidity(spec),
+              1e3 * needle::mass(spec));
+  const double front = in_front_of_hand(scene).length;
+  if (scene.hand.grip > 0.0)
+    std::printf("         held %g mm from its hub: %g mm are in front of the hand\n",
+                scene.hand.grip / units::mm, front / units::mm);
+  const GuideScene& guide = scene.guide;
+  if (guide.length > 0.0)
+    std::printf("         in a guide from %g to %g mm above the tissue\n", guide.gap / units::mm,
+                (guide.gap + guide.length) / units::mm);
+  std::printf("         buckles %s under",
+              scene.hand.grip > 0.0 || guide.length > 0.0 ? "so" : "at its whole length");
+  Scene other = scene;
+  for (needle::Support support : needle::all_supports) {
+    other.needle.support = support;
+    std::printf("%s %.4f N (%s)", support == needle::all_supports.front() ? "" : ",", critical_load(other),
+                name_of(support).c_str());
+  }
   std::printf("\n");
 }
 
@@ -137,7 +151,7 @@ int do_check(const CheckOptions& options) {
   if (!simulation) return refused(options.scene + ": " + simulation.error().sentence, bad_input);
   const Prediction prediction = predict(*scene);
   std::printf("Scene    %s makes sense\n", options.scene.c_str());
-  print_needle(scene->needle);
+  print_needle(*scene);
   print_tissue(*scene, *simulation, prediction);
   print_expectation(*scene, prediction);
   print_hand(scene->hand);

@@ -80,7 +80,7 @@ export type Report =
   | { type: "refused" | "failed"; sentence: string }
   | Loop;
 
-// The columns of trace.csv in their order, and one more.
+// The columns of trace.csv in their order.
 export const numberNames = [
   "time_s",
   "hand_travel_m",
@@ -106,7 +106,13 @@ export const numberNames = [
   "energy_contact_J",
   "work_snap_J",
   "work_relaxation_J",
-  "energy_grip_J",
+  "shaft_force_N",
+  "hub_force_x_N",
+  "hub_force_y_N",
+  "hub_force_z_N",
+  "hub_moment_x_Nm",
+  "hub_moment_y_Nm",
+  "hub_moment_z_Nm",
 ] as const;
 export type NumberName = typeof numberNames[number];
 

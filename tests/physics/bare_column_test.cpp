@@ -11,6 +11,7 @@ namespace {
 
 Scene bare(Support support, double shortening_ratio) {
   Scene scene;
+  scene.needle_model = NeedleModel::column;
   scene.tissue.rigid = true;
   scene.needle.support = support;
   scene.hand.travel = shortening_ratio * scene.needle.length;

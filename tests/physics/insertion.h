@@ -73,6 +73,13 @@ inline Scene table_one(double length, double travel, double speed = 30e-3, int t
   return scene;
 }
 
+// The same with the paper's column.
+inline Scene column_in_table_one(double length, double travel, double speed = 30e-3, int tetrahedra = 1200) {
+  Scene scene = table_one(length, travel, speed, tetrahedra);
+  scene.needle_model = NeedleModel::column;
+  return scene;
+}
+
 inline double euler_load(const Scene& scene, double free_length) {
   return needle::critical_load(needle::bending_rigidity(scene.needle), free_length, scene.needle.support);
 }

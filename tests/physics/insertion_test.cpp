@@ -12,7 +12,7 @@ namespace {
 constexpr double cutting_force = 164.0 * 2.0 * std::numbers::pi * 0.3e-3;
 
 const Insertion& short_needle() {  // punctures without buckling, goes 40 mm deep
-  static const Insertion run = insert(table_one(0.15, 40e-3));
+  static const Insertion run = insert(column_in_table_one(0.15, 40e-3));
   return run;
 }
 
@@ -58,7 +58,7 @@ TEST(Insertion, tissue_slides_back_up_the_shaft_after_the_puncture) {
 }
 
 TEST(Insertion, buckled_needle_springs_straight_and_buckles_again_deeper_in) {
-  Scene scene = table_one(0.2, 60e-3);
+  Scene scene = column_in_table_one(0.2, 60e-3);
   scene.contact.rupture_force = 0.66;  // between the critical load 0.642 N and 1.14 times it
   scene.contact.friction = 20.0;  // low enough that the released bow drives the tip in until it is straight
   const Insertion run = insert(scene);
@@ -82,7 +82,7 @@ TEST(Insertion, buckled_needle_springs_straight_and_buckles_again_deeper_in) {
 }
 
 TEST(Insertion, hub_travel_is_sink_of_the_tissue_plus_end_shortening_of_the_elastica) {
-  const Insertion run = insert(table_one(0.2, 30e-3));
+  const Insertion run = insert(column_in_table_one(0.2, 30e-3));
   const Frame& f = run.frames.back();
   ASSERT_EQ(f.stage, Stage::buckled);
   const double d = (f.hand_travel - f.tip_depth) / 0.2;
@@ -95,7 +95,7 @@ TEST(Insertion, hub_travel_is_sink_of_the_tissue_plus_end_shortening_of_the_elas
 
 TEST(Insertion, nothing_chatters_at_the_buckling_load) {
   for (double step : {0.25e-3, 1e-3, 2e-3}) {
-    Scene scene = table_one(0.2, 12e-3);
+    Scene scene = column_in_table_one(0.2, 12e-3);
     scene.run.time_step = step;
     const Insertion run = insert(scene);
     const auto buckling = run.first(EventKind::buckling);
@@ -113,7 +113,7 @@ TEST(Insertion, nothing_chatters_at_the_buckling_load) {
 }
 
 TEST(Insertion, a_hand_at_rest_feels_a_steady_force) {
-  Scene scene = table_one(0.2, 15e-3);
+  Scene scene = column_in_table_one(0.2, 15e-3);
   scene.hand.kind = HandKind::path;
   scene.hand.path = {{0.0, 0.0}, {1.0, 15e-3}, {3.0, 15e-3}};
   const Insertion run = insert(scene);
@@ -126,7 +126,7 @@ TEST(Insertion, a_hand_at_rest_feels_a_steady_force) {
 }
 
 TEST(Insertion, needle_that_comes_out_at_the_far_side_feels_friction_alone) {
-  Scene scene = table_one(0.15, 40e-3);
+  Scene scene = column_in_table_one(0.15, 40e-3);
   scene.tissue.size = Vec3(0.06, 0.06, 0.03);
   scene.tissue.tetrahedra = 2000;
   const Insertion run = insert(scene);
@@ -138,7 +138,7 @@ TEST(Insertion, needle_that_comes_out_at_the_far_side_feels_friction_alone) {
 }
 
 TEST(Insertion, nearest_node_cuts_as_deep_as_the_needle_goes) {
-  Scene scene = table_one(0.15, 40e-3);
+  Scene scene = column_in_table_one(0.15, 40e-3);
   scene.tissue.size = Vec3(0.06, 0.06, 0.03);
   scene.contact.coupling = Coupling::nearest_node;
   const Insertion run = insert(scene);
@@ -149,7 +149,7 @@ TEST(Insertion, nearest_node_cuts_as_deep_as_the_needle_goes) {
 }
 
 TEST(Insertion, needle_with_a_large_initial_bow_counts_as_buckled_when_it_is_bent) {
-  Scene scene = table_one(0.2, 25e-3);
+  Scene scene = column_in_table_one(0.2, 25e-3);
   scene.needle.imperfection = 2e-3;
   const Insertion run = insert(scene);
   const auto buckling = run.first(EventKind::buckling);

@@ -14,7 +14,7 @@ constexpr double radius = 5e-3;    // m
 
 // Force of a tip pressed in by `travel` and held until the tissue has come to rest.
 double force_at_rest(int tetrahedra, Coupling coupling) {
-  Scene scene = table_one(0.1, travel, 5e-3, tetrahedra);
+  Scene scene = column_in_table_one(0.1, travel, 5e-3, tetrahedra);
   scene.hand.kind = HandKind::path;
   scene.hand.path = {{0.0, 0.0}, {0.02, travel}, {0.12, travel}};
   scene.contact.coupling = coupling;

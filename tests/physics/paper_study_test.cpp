@@ -11,7 +11,7 @@ namespace {
 // second buckling comes where Euler's load of the free part that is left is met; friction reaches it at 153
 // mm, 1.10 N.
 TEST(Fig6, goes_through_contact_buckling_puncture_and_second_buckling) {
-  Scene scene = table_one(0.2, 58e-3, 20e-3, 3000);
+  Scene scene = column_in_table_one(0.2, 58e-3, 20e-3, 3000);
   scene.tissue.element = Element::linear;
   scene.contact.rupture_force = 0.66;
   scene.contact.fracture_toughness = 76.0;
@@ -42,7 +42,7 @@ double load_at_one_percent(const Insertion& run) {
 }
 
 Scene fig7(double length, double radius, Support support, double travel, int tetrahedra = 3000) {
-  Scene scene = table_one(length, travel, 40e-3, tetrahedra);
+  Scene scene = column_in_table_one(length, travel, 40e-3, tetrahedra);
   scene.needle.radius = radius;
   scene.needle.support = support;
   scene.tissue.element = Element::linear;

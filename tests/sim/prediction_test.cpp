@@ -80,11 +80,11 @@ TEST(Prediction, least_straight_radius_is_eulers) {
   EXPECT_NEAR(predict(table_one(0.1603)).least_radius, 0.3e-3, 1e-7);
 }
 
-// A sleeve clamps the needle where it ends: a hub that turns gains by it, one that is clamped does not.
+// A sleeve on the tissue clamps the needle where it begins.
 TEST(Prediction, a_sleeve_makes_clamped_of_pinned) {
   using needle::Support;
   EXPECT_NEAR(predict(table_one(0.2, Support::pinned_pinned)).longest_in_sleeve, 0.1603, 1e-4);
-  EXPECT_NEAR(predict(table_one(0.2, Support::clamped_pinned)).longest_in_sleeve, 0.1603, 1e-4);
+  EXPECT_NEAR(predict(table_one(0.2, Support::clamped_pinned)).longest_in_sleeve, 0.2241, 1e-4);
   EXPECT_NEAR(predict(table_one(0.2, Support::clamped_clamped)).longest_in_sleeve, 0.2241, 1e-4);
 }
 
@@ -135,7 +135,7 @@ TEST(Prediction, what_would_help_is_said_with_its_numbers) {
   EXPECT_EQ(help[0], "A grip that leaves at most 160.2 mm free keeps it straight up to 1.00 N.");
   EXPECT_EQ(help[1], "So does a radius of at least 0.335 mm at this length.");
   EXPECT_EQ(help[2], "So does a tip sharp enough to go in at less than 0.642 N.");
-  EXPECT_EQ(help[3], "So does a sleeve around the needle that leaves at most 160.2 mm of it free.");
+  EXPECT_EQ(help[3], "So does a sleeve that stands on the tissue and leaves at most 224.1 mm of it free.");
   ASSERT_EQ(margin.size(), 3u);
   EXPECT_NE(margin[2].find("up to 1.14 N"), std::string::npos);
 }

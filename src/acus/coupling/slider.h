@@ -55,6 +55,12 @@ struct SliderStep {
   double numerical = 0.0;   // J, lost by the implicit step
 };
 
+// What the sliders of a needle did in a step.
+struct NeedleSlide {
+  SliderStep tip;            // along its own axis
+  double shaft_force = 0.0;  // N, along the path, of the tissue on the shaft behind the tip
+};
+
 // Elastic energy of the spring, J; an open contact stores none.
 inline double stored_energy(const Slider& slider, double elongation) {
   if (slider.unilateral && elongation < 0.0) return 0.0;

@@ -4,29 +4,26 @@
 
 #include "acus/base/hash.h"
 #include "acus/io/scene_toml.h"
-#include "acus/needle/buckling.h"
 #include "acus/sim/names.h"
+#include "acus/sim/support.h"
 
 namespace acus::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-double predicted_load(const needle::NeedleSpec& spec, double free_length, needle::Support support) {
-  return needle::critical_load(needle::bending_rigidity(spec), free_length, support);
-}
-
-Json predicted_loads(const needle::NeedleSpec& spec) {
+Json predicted_loads(Scene scene) {
   Json loads = Json::object();
-  for (needle::Support support : needle::all_supports)
-    loads[name_of(support)] = predicted_load(spec, spec.length, support);
+  for (needle::Support support : needle::all_supports) {
+    scene.needle.support = support;
+    loads[name_of(support)] = critical_load(scene);
+  }
   return loads;
 }
 
 // Each buckling beside the closed form for the free length and support of that moment.
 Json bucklings(const Insertion& insertion) {
   Json list = Json::array();
-  const needle::NeedleSpec& spec = insertion.scene.needle;
   for (const Event& event : insertion.events)
     if (event.kind == EventKind::buckling || event.kind == EventKind::second_buckling)
       list.push_back({{"event", name_of(event.kind)},
@@ -34,7 +31,7 @@ Json bucklings(const Insertion& insertion) {
                       {"hand_travel_m", event.hand_travel},
                       {"free_length_m", event.free_length},
                       {"hand_force_N", event.hand_force},
-                      {"predicted_load_N", predicted_load(spec, event.free_length, spec.support)}});
+                      {"predicted_load_N", critical_load(insertion.scene, event.free_length)}});
   return list;
 }
 
@@ -88,7 +85,7 @@ Json summary_json(const Insertion& insertion, std::optional<double> wall_time) {
   json["peak_tip_depth_m"] = summary.peak_tip_depth;
   json["peak_energy_force_gap_N"] = summary.peak_energy_force_gap;
   json["bucklings"] = bucklings(insertion);
-  json["predicted_loads_N"] = predicted_loads(insertion.scene.needle);
+  json["predicted_loads_N"] = predicted_loads(insertion.scene);
   json["energy"] = energy(summary);
   json["solver_iterations"] = {{"mean", summary.mean_solver_iterations},
                                {"most", summary.peak_solver_iterations}};

@@ -34,6 +34,13 @@ constexpr std::array of_frames = {
     Column<Frame>{"energy_contact_J", ACUS_NUMBER(ledger.energy_contact)},
     Column<Frame>{"work_snap_J", ACUS_NUMBER(ledger.work_snap)},
     Column<Frame>{"work_relaxation_J", ACUS_NUMBER(ledger.work_relaxation)},
+    Column<Frame>{"shaft_force_N", ACUS_NUMBER(shaft_force)},
+    Column<Frame>{"hub_force_x_N", ACUS_NUMBER(hub_force.x())},
+    Column<Frame>{"hub_force_y_N", ACUS_NUMBER(hub_force.y())},
+    Column<Frame>{"hub_force_z_N", ACUS_NUMBER(hub_force.z())},
+    Column<Frame>{"hub_moment_x_Nm", ACUS_NUMBER(hub_moment.x())},
+    Column<Frame>{"hub_moment_y_Nm", ACUS_NUMBER(hub_moment.y())},
+    Column<Frame>{"hub_moment_z_Nm", ACUS_NUMBER(hub_moment.z())},
 };
 
 constexpr std::array of_events = {

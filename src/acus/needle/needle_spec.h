@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <numbers>
 
 namespace acus::needle {
@@ -39,5 +40,12 @@ inline double bending_rigidity(const NeedleSpec& n) {  // EI, N m^2
 }
 inline double axial_rigidity(const NeedleSpec& n) { return n.youngs_modulus * section_area(n); }  // EA, N
 inline double mass(const NeedleSpec& n) { return n.density * section_area(n) * n.length; }        // kg
+
+// s, of the slowest vibration of a part of that length [m] that is pinned at both ends: (2 / pi) l^2
+// sqrt(rho A / EI) (Blevins 1979, table 8-1).
+inline double slowest_period(const NeedleSpec& n, double length) {
+  return 2.0 / std::numbers::pi * length * length *
+         std::sqrt(n.density * section_area(n) / bending_rigidity(n));
+}
 
 }  // namespace acus::needle

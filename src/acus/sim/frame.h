@@ -17,13 +17,14 @@ struct Frame {
   double hand_force = 0.0;       // N, reaction at the hub
   double energy_force = 0.0;     // N, Eq. 14-18 over energy_force_travel
   double tip_force = 0.0;        // N, contact or cutting at the tip
+  double shaft_force = 0.0;      // N, along the path, friction of the tissue on the shaft
   double tip_depth = 0.0;        // m, of the tip below the undeformed entry
   double inserted_length = 0.0;  // m, of needle inside tissue
   double free_length = 0.0;      // m, of needle outside tissue
   double critical_load = 0.0;    // N, closed form on the present free length
   double deflection = 0.0;       // m, largest lateral distance of the free part from the line hub-entry
-  // What the hand has to do on the hub of a rod, about the hub's place; hand_force is the part along the
-  // path.
+  // What the hand does on the needle, about where it holds it; hand_force is the part along the path. A
+  // column knows no other.
   Vec3 hub_force{0.0, 0.0, 0.0};   // N
   Vec3 hub_moment{0.0, 0.0, 0.0};  // N m
   Stage stage = Stage::free;

@@ -8,9 +8,9 @@
 #include "acus/mesh/order.h"
 #include "acus/mesh/quality.h"
 #include "acus/mesh/refine.h"
-#include "acus/needle/buckling.h"
 #include "acus/numeric/circular.h"
 #include "acus/sim/hand.h"
+#include "acus/sim/support.h"
 
 namespace acus {
 namespace {
@@ -90,6 +90,17 @@ void build_channel(Model& m) {
   }
 }
 
+coupling::Guide guide_above_entry(const Model& m) {
+  const GuideScene& scene = m.scene.guide;
+  const Vec3 up = -m.path.direction;
+  constexpr double per_edge = 2.0;  // of the rod, so that none slips through
+  coupling::Guide guide = coupling::build_guide(m.path.entry + scene.gap * up, up, scene.length,
+                                                m.rod.edge_length.front() / per_edge);
+  guide.stiffness = scene.stiffness;
+  guide.friction = scene.friction;
+  return guide;
+}
+
 // The system matrix at rest, on a coarse grid.
 numeric::CoarseSpace coarse_space_at_rest(const Model& m) {
   tissue::Corotation corotation = tissue::build_corotation(m.tissue);
@@ -125,18 +136,15 @@ void attach_tip_into(coupling::Attachment& out, const Model& m, double depth) {
   attach_disc_into(out, m, m.path.entry + depth * m.path.direction, m.path.direction);
 }
 
-double critical_load(const Model& m, double free_length) {
-  return needle::critical_load(needle::bending_rigidity(m.scene.needle), free_length, m.scene.needle.support);
-}
-
 Result<Model> build_model(const Scene& scene, const mesh::TetMesh* mesh) {
   auto valid = validated(scene);
   if (!valid) return valid.error();
   Model m;
   m.scene = *valid;
-  m.column = needle::build_column(scene.needle);
+  m.needle = in_front_of_hand(m.scene);
+  m.column = needle::build_column(m.needle);
   constexpr int rod_edges = 60;  // 0.1 % of a critical load (needle/rod.h)
-  m.rod = needle::build_rod(scene.needle, rod_edges);
+  m.rod = needle::build_rod(m.needle, rod_edges);
   m.grip_compliance = grip_compliance(scene.hand);
   m.cutting_force =
       force::cutting_force(scene.contact.fracture_toughness, scene.contact.crack, scene.needle.radius);
@@ -149,6 +157,7 @@ Result<Model> build_model(const Scene& scene, const mesh::TetMesh* mesh) {
   }
   if (m.rigid()) {
     m.path = {Vec3::Zero(), Vec3(0.0, 0.0, -1.0), 0.0};
+    m.guide = guide_above_entry(m);
     return m;
   }
   auto built = tissue_mesh(m, mesh);
@@ -173,6 +182,7 @@ Result<Model> build_model(const Scene& scene, const mesh::TetMesh* mesh) {
   if (m.entry.empty())
     return Error{"tissue: the entry lies in the part that is held fixed; choose another target"};
   build_channel(m);
+  m.guide = guide_above_entry(m);
   return m;
 }
 

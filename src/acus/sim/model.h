@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "acus/coupling/channel.h"
+#include "acus/coupling/guide.h"
 #include "acus/mesh/locator.h"
 #include "acus/mesh/path.h"
 #include "acus/needle/column.h"
@@ -17,6 +18,7 @@ namespace acus {
 
 struct Model {
   Scene scene;
+  needle::NeedleSpec needle;  // in front of the hand
   needle::Column column;
   needle::Rod rod;
   double cutting_force = 0.0;    // N
@@ -35,6 +37,7 @@ struct Model {
   coupling::Attachment entry;               // of the surface at the entry, spread like a tip load
   int disc_rings = coupling::fewest_rings;  // of the points that spread a tip load
   coupling::Channel channel;
+  coupling::Guide guide;  // of a rod
 
   bool rigid() const { return scene.tissue.rigid; }
   tissue::Material material() const {
@@ -42,11 +45,8 @@ struct Model {
   }
   bool bends_freely() const { return scene.needle_model == NeedleModel::rod; }
   // Of a channel that may curve, but is filled by this needle.
-  int most_cells() const { return static_cast<int>(scene.needle.length / coupling::channel_cell) + 2; }
+  int most_cells() const { return static_cast<int>(needle.length / coupling::channel_cell) + 2; }
 };
-
-// N, the closed form for a free part of that length [m] and the scene's supports.
-double critical_load(const Model& model, double free_length);
 
 Result<Model> build_model(const Scene& scene, const mesh::TetMesh* mesh);
 

@@ -13,6 +13,7 @@
 #include "acus/needle/elastica.h"
 #include "acus/numeric/root.h"
 #include "acus/sim/hand.h"
+#include "acus/sim/support.h"
 
 namespace acus {
 namespace {
@@ -31,14 +32,11 @@ double highest_load_ratio(needle::Support support, double shortening_ratio) {
 // After a straight puncture at `sink` the tip goes on with the hand: cutting and friction grow with its
 // depth, and the free part, which is shorter by as much, must carry them. Where it first cannot.
 std::optional<ExpectedBuckling> buckling_inside(const Scene& scene, double sink, double travel) {
-  const needle::NeedleSpec& spec = scene.needle;
+  const needle::NeedleSpec spec = in_front_of_hand(scene);
   const double cutting =
       force::cutting_force(scene.contact.fracture_toughness, scene.contact.crack, spec.radius);
   const auto load = [&](double depth) { return cutting + scene.contact.friction * depth; };
-  const auto room = [&](double depth) {
-    return needle::critical_load(needle::bending_rigidity(spec), spec.length - depth, spec.support) -
-           load(depth);
-  };
+  const auto room = [&](double depth) { return critical_load(scene, spec.length - depth) - load(depth); };
   constexpr int samples = 200;  // the load is a line and the critical load a smooth curve above or across it
   const double deepest = std::min(travel, spec.length - needle::shortest_column * spec.radius);
   double before = sink;
@@ -94,26 +92,27 @@ double half_space_sink(double force, const TissueScene& tissue, double disc_radi
 }
 
 Prediction predict(const Scene& scene) {
-  const needle::NeedleSpec& spec = scene.needle;
+  const Span span = weakest_span(scene, in_front_of_hand(scene).length);
   const double rupture_force = scene.contact.rupture_force;
-  const double rigidity = needle::bending_rigidity(spec);
   Prediction p{};
-  p.critical_load = needle::critical_load(rigidity, spec.length, spec.support);
+  p.critical_load = critical_load(scene);
   p.sink =
       scene.tissue.rigid ? 0.0 : half_space_sink(rupture_force, scene.tissue, scene.contact.contact_radius);
   const double travel = std::max(furthest_travel(scene.hand), 0.0);
   // Straight, needle and tissue are springs in series, and the tissue is much the softer one.
   const bool comes_to_buckle = travel * rupture_force >= p.sink * p.critical_load && travel > 0.0;
   p.highest_load = comes_to_buckle
-                       ? p.critical_load * highest_load_ratio(spec.support, (travel - p.sink) / spec.length)
+                       ? p.critical_load * highest_load_ratio(span.support, (travel - p.sink) / span.length)
                        : (travel > 0.0 ? travel / p.sink * rupture_force : 0.0);
   if (scene.hand.kind == HandKind::person) p.highest_load = std::min(p.highest_load, scene.hand.force_limit);
-  p.longest_straight = spec.length * std::sqrt(p.critical_load / rupture_force);
-  p.longest_in_sleeve =
-      spec.support == needle::Support::pinned_pinned
-          ? p.longest_straight * std::sqrt(needle::critical_load_factor(needle::Support::clamped_pinned))
-          : p.longest_straight;
-  p.least_radius = spec.radius * std::sqrt(std::sqrt(rupture_force / p.critical_load));
+  p.longest_straight = span.length * std::sqrt(p.critical_load / rupture_force);
+  Scene sleeved = scene;
+  sleeved.guide = {.length = units::mm};  // as short as one likes
+  const Span above = weakest_span(sleeved, scene.needle.length);
+  p.longest_in_sleeve = above.length * std::sqrt(needle::critical_load(needle::bending_rigidity(scene.needle),
+                                                                       above.length, above.support) /
+                                                 rupture_force);
+  p.least_radius = scene.needle.radius * std::sqrt(std::sqrt(rupture_force / p.critical_load));
   if (scene.tissue.rigid || p.highest_load < rupture_force)
     p.outcome = Outcome::never_punctured;
   else
@@ -136,18 +135,23 @@ std::string buckling_in_words(const Scene& scene, const Prediction& p) {
 std::vector<std::string> remedies_in_words(const Scene& scene, const Prediction& p) {
   if (scene.tissue.rigid) return {};
   const double rupture_force = scene.contact.rupture_force;
-  const std::string rupture = newtons(rupture_force);
+  const std::string rupture = newtons(rupture_force), longest = at_most_millimetres(p.longest_straight);
+  const bool guided = scene.guide.length > 0.0;
   if (p.critical_load >= rupture_force)
-    return {"With the same tip it could be up to " + at_most_millimetres(p.longest_straight) +
-                " long and not buckle before the puncture.",
+    return {(guided ? "With the same tip a span outside of hand and guide could be up to "
+                    : "With the same tip it could be up to ") +
+                longest + " long and not buckle before the puncture.",
             "Or its radius could be as little as " + millimetres(p.least_radius) + ".",
             "Or the tissue could resist with up to " + newtons(p.critical_load) + "."};
-  return {"A grip that leaves at most " + at_most_millimetres(p.longest_straight) +
-              " free keeps it straight up to " + rupture + ".",
-          "So does a radius of at least " + millimetres(p.least_radius) + " at this length.",
-          "So does a tip sharp enough to go in at less than " + newtons(p.critical_load) + ".",
-          "So does a sleeve around the needle that leaves at most " +
-              at_most_millimetres(p.longest_in_sleeve) + " of it free."};
+  std::vector<std::string> remedies = {
+      (guided ? "A hand and a guide that leave spans of at most " : "A grip that leaves at most ") + longest +
+          " free keeps it straight up to " + rupture + ".",
+      "So does a radius of at least " + millimetres(p.least_radius) + " at this length.",
+      "So does a tip sharp enough to go in at less than " + newtons(p.critical_load) + "."};
+  if (!guided)
+    remedies.push_back("So does a sleeve that stands on the tissue and leaves at most " +
+                       at_most_millimetres(p.longest_in_sleeve) + " of it free.");
+  return remedies;
 }
 
 std::string in_words(const Scene& scene, const Prediction& p) {

@@ -18,12 +18,12 @@ struct ExpectedBuckling {
 };
 
 struct Prediction {
-  double critical_load;     // N, Eq. 10 with the scene's support on the whole length
+  double critical_load;     // N, Eq. 10 for all that is in front of the hand, as the scene supports it
   double highest_load;      // N, most that the column can push within the hand's travel, buckled or not, and
                             // that a person does
   double sink;              // m, of the entry under the rupture force: half-space, mean over the contact disc
-  double longest_straight;  // m, free length up to which the column carries the rupture force unbuckled
-  double longest_in_sleeve;  // m, the same below a sleeve, which does not let the needle turn where it ends
+  double longest_straight;  // m, of the span that buckles first, up to which it carries the rupture force
+  double longest_in_sleeve;  // m, the same between the hand and a sleeve that stands on the tissue
   double least_radius;       // m, from which on the column carries the rupture force unbuckled
   std::optional<ExpectedBuckling> buckling;  // the first; none within the hand's travel and force
   Outcome outcome;

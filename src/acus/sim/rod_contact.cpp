@@ -89,8 +89,9 @@ Vec3 bevel_push(const Model& m, const State& s, const coupling::Slider& slider, 
   return m.bevel_ratio * inside * tip_force * side;
 }
 
-RodContact tip_contact(const Model& m, const State& s) {
+RodContact tip_contact(const Model& m, State& s) {
   RodContact c;
+  c.elongation = &s.tip_elongation;
   c.at = &s.tip;
   c.point = {m.rod.edges - 1, 1.0};
   c.axis = tip_axis(m, s);
@@ -102,7 +103,7 @@ RodContact tip_contact(const Model& m, const State& s) {
   return c;
 }
 
-RodContact cell_contact(const Model& m, const State& s, int cell, int start_edge) {
+RodContact cell_contact(const Model& m, State& s, int cell, int start_edge) {
   const Vec3 y = cell_now(m, s, cell);
   RodContact c;
   c.at = &s.needle.channel.attachment[cell];
@@ -111,8 +112,39 @@ RodContact cell_contact(const Model& m, const State& s, int cell, int start_edge
   c.slider = coupling::slider_of(s.needle.channel, s.channel, cell);
   c.lateral = s.needle.cell_lateral[cell] * s.channel.length[cell];
   c.lateral_elongation = across(needle::place_of(s.needle.rod, c.point) - y, c.axis);
-  c.cell = cell;
+  c.elongation = &s.channel.elongation[cell];
   return c;
+}
+
+// Between hand and tip; a hand that has come down so far has pushed the guide together.
+bool is_in_guide(const Model& m, const State& s, int point) {
+  const auto depth = [&](const Vec3& x) { return m.path.direction.dot(x - m.guide.point[point]); };
+  return depth(s.needle.rod.position.front()) <= 0.0 && depth(s.needle.rod.position.back()) >= 0.0;
+}
+
+RodContact guide_contact(const Model& m, State& s, int point, int start_edge) {
+  const Vec3& y = m.guide.point[point];
+  RodContact c;
+  c.at = &m.guide.nowhere;
+  c.point = nearest_point(m, s, y, start_edge);
+  c.axis = tangent_at(s, c.point.edge);
+  c.slider = coupling::slider_of(m.guide, point, s.guide_elongation[point]);
+  c.lateral = m.guide.stiffness * m.guide.length[point];
+  c.lateral_elongation = across(needle::place_of(s.needle.rod, c.point) - y, c.axis);
+  c.elongation = &s.guide_elongation[point];
+  return c;
+}
+
+// The points of the guide that the needle has left forget what they held. Returns that, J: it is friction's.
+double leave_guide(const Model& m, State& s) {
+  double released = 0.0;
+  for (int point = 0; point < m.guide.points(); ++point) {
+    if (is_in_guide(m, s, point)) continue;
+    double& elongation = s.guide_elongation[point];
+    released += coupling::stored_energy(coupling::slider_of(m.guide, point, elongation), elongation);
+    elongation = 0.0;
+  }
+  return released;
 }
 
 void take_branch(RodContact& c) {
@@ -162,12 +194,12 @@ void add_cell(const Model& m, State& s, const Vec3& direction) {
 RodPlace place_rod(const Model& m, const State& s) {
   const needle::RodState& rod = s.needle.rod;
   RodPlace place;
-  place.free_length = m.scene.needle.length;
+  place.free_length = m.needle.length;
   const Vec3 from = rod.position.front(), to = entry_now(m, s);
   int last = m.rod.edges;
   if (s.punctured) {
     const RodPoint entry = nearest_point(m, s, to, m.rod.edges - 1);
-    const double beyond = m.scene.needle.length - arc_from_hub(m, entry);
+    const double beyond = m.needle.length - arc_from_hub(m, entry);
     place.inserted_length = s.through ? std::clamp(beyond, 0.0, s.channel_depth)
                                       : std::max(beyond - std::max(s.tip_elongation, 0.0), 0.0);
     place.free_length -= std::max(beyond, 0.0);
@@ -184,7 +216,8 @@ void touch_rod(const Model& m, State& s, Scratch& w) {
   place_tip(m, s);
   const RodPlace place = place_rod(m, s);
   const double released =
-      coupling::cover(s.channel, s.needle.channel, place.covered_depth, place.inserted_length);
+      coupling::cover(s.channel, s.needle.channel, place.covered_depth, place.inserted_length) +
+      leave_guide(m, s);
   s.ledger.work_friction += released;
   w.rod.contacts.clear();
   w.rod.contacts.push_back(tip_contact(m, s));
@@ -192,6 +225,11 @@ void touch_rod(const Model& m, State& s, Scratch& w) {
   for (int cell = s.needle.channel.cells() - 1; cell >= 0; --cell) {
     if (s.channel.length[cell] == 0.0) continue;
     w.rod.contacts.push_back(cell_contact(m, s, cell, edge));
+    edge = w.rod.contacts.back().point.edge;
+  }
+  for (int point = 0; point < m.guide.points(); ++point) {
+    if (!is_in_guide(m, s, point)) continue;
+    w.rod.contacts.push_back(guide_contact(m, s, point, edge));
     edge = w.rod.contacts.back().point.edge;
   }
   double energy = 0.0;
@@ -228,8 +266,8 @@ bool correct_grips(const Model& m, const State& s, Scratch& w) {
   return changed;
 }
 
-coupling::SliderStep slide_rod(const Model& m, State& s, const Scratch& w) {
-  coupling::SliderStep tip;
+coupling::NeedleSlide slide_rod(const Model& m, State& s, const Scratch& w) {
+  coupling::NeedleSlide all;
   double energy = 0.0;
   for (const RodContact& c : w.rod.contacts) {
     const Vec3 way = m.scene.run.time_step * (at_contact(s.needle.rod.rate, c) - tissue_rate(s, c));
@@ -237,18 +275,18 @@ coupling::SliderStep slide_rod(const Model& m, State& s, const Scratch& w) {
     const Vec3 sideways = across(way, c.axis);
     s.ledger.work_numerical += step.numerical + 0.5 * c.lateral * sideways.squaredNorm();
     energy += stored(c, step.elongation, c.lateral_elongation + sideways);
-    if (c.cell < 0) {
-      s.tip_elongation = step.elongation;
+    *c.elongation = step.elongation;
+    if (&c == &w.rod.contacts.front()) {
       s.ledger.work_cutting +=
           step.dissipated - c.push.dot(way);  // what a bevel pushes with, it does not cut with
-      tip = step;
+      all.tip = step;
     } else {
-      s.channel.elongation[c.cell] = step.elongation;
       s.ledger.work_friction += step.dissipated;
+      if (c.at != &m.guide.nowhere) all.shaft_force += step.force * c.axis.dot(m.path.direction);
     }
   }
   s.ledger.energy_contact = energy;
-  return tip;
+  return all;
 }
 
 bool cut_along_tip(const Model& m, State& s, double slip) {

@@ -33,9 +33,8 @@ Vec3 contact_load(const RodContact& contact, const Vec3& way);
 bool correct_grips(const Model& model, const State& state, Scratch& scratch);
 
 // Carries out the contacts' steps once rod and tissue have moved: books friction, cutting and what the
-// implicit step lost, and leaves the energy of the springs as line of the ledger. Returns the tip's step
-// along its axis.
-coupling::SliderStep slide_rod(const Model& model, State& state, const Scratch& scratch);
+// implicit step lost, and leaves the energy of the springs as line of the ledger.
+coupling::NeedleSlide slide_rod(const Model& model, State& state, const Scratch& scratch);
 
 // The cut goes on by `slip` [m] in the direction of the tip, and the channel with it. Returns whether it has
 // come out.

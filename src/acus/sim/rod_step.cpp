@@ -7,6 +7,7 @@
 #include "acus/sim/rod_contact.h"
 #include "acus/sim/rod_solve.h"
 #include "acus/sim/stage.h"
+#include "acus/sim/support.h"
 #include "acus/sim/tissue_step.h"
 
 namespace acus {
@@ -48,10 +49,17 @@ void account_rod(const Model& m, State& s, const Scratch& w, const Before& befor
   s.ledger.work_hand += frame.hub_force.dot(s.needle.rod.position[0] - before.node) + turning_work;
 }
 
+Bent bent_of(const Model& m, State& s, const RodPlace& place) {
+  const double span = weakest_span(m.scene, place.free_length).length;
+  const double bow_ratio = place.bow / span;
+  s.steps_straight = bow_ratio < straight_ratio ? s.steps_straight + 1 : 0;
+  return rod_bent(bow_ratio, static_cast<double>(s.steps_straight) * m.scene.run.time_step,
+                  needle::slowest_period(m.needle, span));
+}
+
 Health health_of(const Model& m, const State& s, const RodPlace& place) {
   if (!std::isfinite(force::accounted(s.ledger))) return Health::not_finite;
-  return place.free_length < needle::shortest_column * m.scene.needle.radius ? Health::hub_at_entry
-                                                                             : Health::good;
+  return place.free_length < needle::shortest_column * m.needle.radius ? Health::hub_at_entry : Health::good;
 }
 
 }  // namespace
@@ -86,8 +94,9 @@ void advance_rod(const Model& m, State& s, Scratch& w, const needle::Pose& hub, 
   } else {
     s.ledger.energy_kinetic = 0.0;
   }
-  const coupling::SliderStep tip = slide_rod(m, s, w);
+  const auto [tip, shaft_force] = slide_rod(m, s, w);
   Observed observed;
+  observed.shaft_force = shaft_force;
   observed.tip_force = tip.force;
   observed.ruptured_now = !s.punctured && tip.slip > 0.0;
   s.punctured = s.punctured || observed.ruptured_now;
@@ -97,15 +106,15 @@ void advance_rod(const Model& m, State& s, Scratch& w, const needle::Pose& hub, 
 
   ++s.steps;
   const Vec3& along = m.path.direction;
-  s.hub_travel = along.dot(s.needle.rod.position[0] - m.path.entry) + m.scene.needle.length;
+  s.hub_travel = along.dot(s.needle.rod.position[0] - m.path.entry) + m.needle.length;
   s.tip_position = along.dot(s.needle.rod.position.back() - m.path.entry);
   const RodPlace place = place_rod(m, s);
   observed.hand_force = solved.hub_force.dot(along);
   observed.inserted_length = place.inserted_length;
   observed.free_length = place.free_length;
   observed.bow = place.bow;
-  observed.critical_load = critical_load(m, place.free_length);
-  observed.bent = rod_bent(place.bow / place.free_length);
+  observed.critical_load = critical_load(m.scene, place.free_length);
+  observed.bent = bent_of(m, s, place);
   show(m, s, observed, frame, events);
   frame.health = health_of(m, s, place);
   probe(StepPart::ledger);

@@ -9,6 +9,7 @@
 #include "acus/sim/hand.h"
 #include "acus/sim/hill.h"
 #include "acus/sim/scene_keys.h"
+#include "acus/sim/support.h"
 #include "acus/sim/tremor.h"
 
 namespace acus {
@@ -48,10 +49,11 @@ struct RangeCheck {
   std::string operator()(const FileField&) const { return {}; }
 };
 
+constexpr double least_slenderness = 20.0;  // length / radius below which beam theory is no longer fair
+
 Complaint needle_complaint(const Scene& scene) {
   const needle::NeedleSpec& needle = scene.needle;
-  constexpr double least_slenderness = 20.0;  // length / radius below which beam theory is no longer fair
-  constexpr double largest_bow = 0.01;        // of the length: an imperfection, not a bent needle
+  constexpr double largest_bow = 0.01;  // of the length: an imperfection, not a bent needle
   if (needle.length < least_slenderness * needle.radius)
     return "needle.radius_mm must be at most 1/20 of needle.length_mm, which allows " +
            in_mm(needle.length / least_slenderness) + ", but is " + in_mm(needle.radius);
@@ -135,10 +137,22 @@ Complaint hand_complaint(const Scene& scene) {
     if (auto said = path_complaint(scene)) return said;
   const std::string travel_key = hand.kind == HandKind::path ? "hand.path" : "hand.travel_mm";
   // A shorter stub outside the tissue is no column any more.
-  const double furthest = scene.needle.length - needle::shortest_column * scene.needle.radius;
+  const double front = in_front_of_hand(scene).length;
+  if (hand.grip > 0.0 && front < least_slenderness * scene.needle.radius)
+    return "hand.grip_mm must leave 20 needle radii in front of the hand, so be at most " +
+           in_mm(scene.needle.length - least_slenderness * scene.needle.radius) + ", but is " +
+           in_mm(hand.grip);
+  const double furthest = front - needle::shortest_column * scene.needle.radius;
   if (furthest_travel(hand) > furthest)
-    return travel_key + " must leave 10 needle radii of the needle outside, so reach at most " +
+    return travel_key + " must leave 10 needle radii between hand and tissue, so reach at most " +
            in_mm(furthest) + ", but reaches " + in_mm(furthest_travel(hand));
+  return {};
+}
+
+Complaint guide_complaint(const Scene& scene) {
+  if (scene.guide.length > 0.0 && scene.needle_model != NeedleModel::rod)
+    return "guide.length_mm is for needle.model = \"rod\"; a column knows of no guide; set the model or "
+           "remove the guide";
   return {};
 }
 
@@ -146,7 +160,7 @@ Complaint hand_complaint(const Scene& scene) {
 double stiffest_contact(const Scene& scene) {
   const needle::NeedleSpec& needle = scene.needle;
   double give = grip_compliance(scene.hand);
-  give += needle.length / needle::axial_rigidity(needle);
+  give += in_front_of_hand(scene).length / needle::axial_rigidity(needle);
   if (!scene.tissue.rigid) give += 1.0 / scene.contact.stiffness;
   return 1.0 / give;
 }
@@ -190,7 +204,8 @@ Result<Scene> validated(Scene scene) {
   for (const SceneKey& key : scene_keys())
     if (std::string said = std::visit(RangeCheck{scene}, key.field); !said.empty())
       return Error{key.name + " " + said};
-  for (auto check : {needle_complaint, tissue_complaint, contact_complaint, hand_complaint, run_complaint})
+  for (auto check : {needle_complaint, tissue_complaint, contact_complaint, hand_complaint, guide_complaint,
+                     run_complaint})
     if (Complaint said = check(scene)) return Error{*said};
   // A direction that is already of unit length keeps its bits.
   constexpr double rounding = 1e-15;

@@ -62,7 +62,8 @@ struct HandScene {
   HandKind kind = HandKind::steady;
   double speed = 10e-3;         // m/s; of a person without load
   double travel = 80e-3;        // m from first touch
-  double stiffness = 0.0;       // N/m, of the grip between hand and hub; 0: rigid
+  double grip = 0.0;            // m, from the hub to where the hand holds the needle
+  double stiffness = 0.0;       // N/m, of the grip between hand and needle; 0: rigid
   std::vector<HandPoint> path;  // kind = path: straight lines between these, times increasing
 
   // kind = person (person.h)
@@ -79,6 +80,15 @@ struct HandScene {
   bool pulls_back = false;
 };
 
+// A sleeve or a second hand around the needle, outside of the tissue; it stays where it is, and the hand may
+// pass it.
+struct GuideScene {
+  double length = 0.0;     // m, along the path; 0: none
+  double gap = 0.0;        // m, between the tissue at rest and its lower end
+  double stiffness = 1e9;  // N/m^2, across the needle per length; chosen: that of a rigid sleeve
+  double friction = 0.0;   // N/m, per length of needle inside it
+};
+
 struct RunScene {
   double time_step = 1e-3;         // s
   double solver_tolerance = 1e-6;  // relative residual of the conjugate gradients
@@ -86,11 +96,12 @@ struct RunScene {
 };
 
 struct Scene {
-  NeedleModel needle_model = NeedleModel::column;
+  NeedleModel needle_model = NeedleModel::rod;
   needle::NeedleSpec needle;
   TissueScene tissue;
   ContactScene contact;
   HandScene hand;
+  GuideScene guide;
   RunScene run;
 };
 

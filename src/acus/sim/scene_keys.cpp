@@ -18,7 +18,7 @@ namespace {
   }
 
 using needle::Support;
-constexpr int milli = -3, kilo = 3, giga = 9, one = 0;
+constexpr int milli = -3, kilo = 3, mega = 6, giga = 9, one = 0;
 
 std::vector<SceneKey> needle_keys() {
   return {
@@ -113,8 +113,10 @@ std::vector<SceneKey> hand_keys() {
        "of the hand, when steady; of a person without load"},
       {"hand.travel_mm", NumberField{ACUS_AT(hand.travel), milli, {0.001, 2000.0}},
        "how far the hand goes from first touch, unless it follows hand.path"},
+      {"hand.grip_mm", NumberField{ACUS_AT(hand.grip), milli, {0.0, 2000.0}},
+       "from the hub to where the hand holds the needle; what is behind the hand hangs free"},
       {"hand.stiffness_N_m", NumberField{ACUS_AT(hand.stiffness), one, {0.0, 1e9}},
-       "of the grip between hand and hub; 0 for a hub that goes where the hand goes"},
+       "of the grip between hand and needle; 0 for a needle that goes where the hand goes"},
       {"hand.path", HandPathField{ACUS_AT(hand.path), milli, {0.0, 1e5}, {-1000.0, 2000.0}},
        "[[time in s, travel in mm], ...] joined by straight lines; pauses and withdrawal are welcome"},
   };
@@ -139,6 +141,19 @@ std::vector<SceneKey> person_keys() {
   };
 }
 
+std::vector<SceneKey> guide_keys() {
+  return {
+      {"guide.length_mm", NumberField{ACUS_AT(guide.length), milli, {0.0, 2000.0}},
+       "of a sleeve, or of the fingers of a second hand, around a rod outside of the tissue; 0 for none"},
+      {"guide.gap_mm", NumberField{ACUS_AT(guide.gap), milli, {0.0, 2000.0}},
+       "between the tissue at rest and the guide's lower end"},
+      {"guide.stiffness_MPa", NumberField{ACUS_AT(guide.stiffness), mega, {1e-3, 1e4}},
+       "force per length of needle by which the guide gives way sideways, N/mm per mm; fingers about 1"},
+      {"guide.friction_N_m", NumberField{ACUS_AT(guide.friction), one, {0.0, 1e5}},
+       "dry friction per length of needle in the guide"},
+  };
+}
+
 std::vector<SceneKey> run_keys() {
   return {
       {"run.time_step_ms", NumberField{ACUS_AT(run.time_step), milli, {0.01, 20.0}},
@@ -159,7 +174,7 @@ const std::vector<SceneKey>& scene_keys() {
   static const std::vector<SceneKey> keys = [] {
     std::vector<SceneKey> all;
     for (const auto& part :
-         {needle_keys(), tissue_keys(), contact_keys(), hand_keys(), person_keys(), run_keys()})
+         {needle_keys(), tissue_keys(), contact_keys(), hand_keys(), person_keys(), guide_keys(), run_keys()})
       all.insert(all.end(), part.begin(), part.end());
     return all;
   }();

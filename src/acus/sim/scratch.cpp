@@ -6,7 +6,7 @@ Scratch build_scratch(const Model& m) {
   Scratch w;
   if (m.scene.needle_model == NeedleModel::rod) {
     w.rod.motion = needle::build_rod_motion(m.rod);
-    w.rod.contacts.reserve(static_cast<std::size_t>(m.most_cells()) + 1);
+    w.rod.contacts.reserve(static_cast<std::size_t>(1 + m.most_cells() + m.guide.points()));
     w.rod.free_answer.assign(m.rod.unknowns(), 0.0);
     w.rod.load = w.rod.change = w.rod.free_answer;
     w.rod.before = needle::unloaded_rod(m.rod, {});

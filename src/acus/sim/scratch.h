@@ -20,8 +20,8 @@ struct HeldPoint {
   double rate_change = 0.0;  // m/s, over its whole step
 };
 
-// A place where a rod and the tissue hold each other in a step. With d the way of the rod's point against the
-// tissue in the step, the force on the rod is force - stiffness d.
+// A place where a rod and the tissue hold each other in a step, or a guide the rod. With d the way of the
+// rod's point against the tissue in the step, the force on the rod is force - stiffness d.
 struct RodContact {
   const coupling::Attachment* at = nullptr;  // empty: a stop that does not give
   needle::RodPoint point;
@@ -31,7 +31,7 @@ struct RodContact {
   double lateral = 0.0;                    // N/m, across the axis, both ways
   Vec3 lateral_elongation{0.0, 0.0, 0.0};  // m, before the step
   Vec3 push{0.0, 0.0, 0.0};                // N, of a bevel on the rod, as the tip force was before the step
-  int cell = -1;                           // of the channel; -1 for the tip
+  double* elongation = nullptr;            // m, of the slider, in the state
   Vec3 force{0.0, 0.0, 0.0};               // N, on this branch
   Mat3 stiffness = Mat3::Zero();           // N/m, on this branch
   Vec3 rate_before{0.0, 0.0, 0.0};         // m/s, of the rod against the tissue at the start of a line search

@@ -7,6 +7,7 @@
 #include "acus/sim/rod_solve.h"
 #include "acus/sim/rod_step.h"
 #include "acus/sim/step.h"
+#include "acus/sim/support.h"
 #include "acus/tissue/stress.h"
 
 namespace acus {
@@ -19,6 +20,36 @@ struct Simulation::Parts {
   std::vector<Event> events;
   StepProbe probe;
 };
+
+namespace {
+
+void rod_line_into(std::span<Vec3> out, const Model& m, const State& s) {
+  const double last = static_cast<double>(out.size() - 1);
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i] = needle::place_of(s.needle.rod,
+                              needle::point_at_arc(m.rod, static_cast<double>(i) / last * m.needle.length));
+}
+
+void column_line_into(std::span<Vec3> out, const Model& m, const State& s) {
+  const NeedlePlace place = place_needle(m, s);
+  const int points = static_cast<int>(out.size());
+  const Vec3& along = m.path.direction;
+  const needle::Pose hub = hub_pose(m, s.hub_travel);
+  const int outside =
+      std::clamp(static_cast<int>(std::lround(points * place.free_length / m.needle.length)), 2, points);
+  const auto curve = needle::column_curve(m.column, place.free_length, place.shortening);
+  for (int i = 0; i < outside; ++i) {
+    const auto point = needle::point_at(curve, static_cast<double>(i) / (outside - 1));
+    out[i] = hub.position + point.axial * along + point.lateral * hub.director;
+  }
+  const Vec3 from = out[outside - 1];
+  const Vec3 tip = m.path.entry + s.tip_position * along;
+  const int inside = points - outside;
+  for (int i = 1; i <= inside; ++i)
+    out[outside - 1 + i] = from + (tip - from) * (static_cast<double>(i) / inside);
+}
+
+}  // namespace
 
 Simulation::Simulation(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 Simulation::Simulation(Simulation&&) noexcept = default;
@@ -35,8 +66,8 @@ Result<Simulation> Simulation::build(const Scene& scene, const mesh::TetMesh* me
   if (!parts->model.rigid())
     tissue::corotate_into(parts->scratch.corotation, parts->model.tissue, parts->state.position);
   parts->frame.hand_travel = parts->frame.tip_depth = parts->state.hub_travel;
-  parts->frame.free_length = scene.needle.length;
-  parts->frame.critical_load = critical_load(parts->model, scene.needle.length);
+  parts->frame.free_length = parts->model.needle.length;
+  parts->frame.critical_load = critical_load(parts->model.scene);
   constexpr std::size_t most_events =
       4096;  // a step must not allocate; what a very restless hand causes beyond is not kept
   parts->events.reserve(most_events);
@@ -71,7 +102,7 @@ double Simulation::hand_stiffness() {
 
 const Frame& Simulation::step(const needle::Pose& hub) {
   Parts& p = *parts_;
-  if (!p.model.bends_freely()) return step(direction().dot(hub.position - entry()) + scene().needle.length);
+  if (!p.model.bends_freely()) return step(direction().dot(hub.position - entry()) + p.model.needle.length);
   if (p.frame.health != Health::good) return p.frame;
   needle::Pose led = hub;
   led.tangent.normalize();
@@ -127,31 +158,19 @@ std::vector<Vec3> Simulation::needle_line(int points) const {
 
 void Simulation::needle_line_into(std::span<Vec3> out) const {
   const Parts& p = *parts_;
-  if (p.model.bends_freely()) {
-    const double last = static_cast<double>(out.size() - 1);
-    for (std::size_t i = 0; i < out.size(); ++i)
-      out[i] = needle::place_of(
-          p.state.needle.rod,
-          needle::point_at_arc(p.model.rod, static_cast<double>(i) / last * p.model.scene.needle.length));
-    return;
-  }
-  const NeedlePlace place = place_needle(p.model, p.state);
-  const double length = p.model.scene.needle.length;
-  const int points = static_cast<int>(out.size());
-  const Vec3 along = direction();
-  const needle::Pose hub = hub_pose(p.model, p.state.hub_travel);
-  const int outside =
-      std::clamp(static_cast<int>(std::lround(points * place.free_length / length)), 2, points);
-  const auto curve = needle::column_curve(p.model.column, place.free_length, place.shortening);
-  for (int i = 0; i < outside; ++i) {
-    const auto point = needle::point_at(curve, static_cast<double>(i) / (outside - 1));
-    out[i] = hub.position + point.axial * along + point.lateral * hub.director;
-  }
-  const Vec3 from = out[outside - 1];
-  const Vec3 tip = entry() + p.state.tip_position * along;
-  const int inside = points - outside;
-  for (int i = 1; i <= inside; ++i)
-    out[outside - 1 + i] = from + (tip - from) * (static_cast<double>(i) / inside);
+  // What is behind the hand is straight.
+  const double behind = p.model.scene.hand.grip / p.model.scene.needle.length;
+  const std::size_t at_hand = std::min(static_cast<std::size_t>(behind * static_cast<double>(out.size())),
+                                       out.size() - std::min<std::size_t>(out.size(), 2));
+  const std::span<Vec3> front = out.subspan(at_hand);
+  if (p.model.bends_freely())
+    rod_line_into(front, p.model, p.state);
+  else
+    column_line_into(front, p.model, p.state);
+  if (at_hand == 0) return;
+  const Vec3 back = (front[0] - front[1]).normalized() * p.model.scene.hand.grip;
+  for (std::size_t i = 0; i < at_hand; ++i)
+    out[i] = front[0] + (1.0 - static_cast<double>(i) / static_cast<double>(at_hand)) * back;
 }
 
 std::uint64_t Simulation::state_hash() const {
@@ -175,6 +194,7 @@ std::uint64_t Simulation::state_hash() const {
     for (const Vec3& x : *vectors) hash = hash_of({x.data(), 3}, hash);
   for (const Vec3& x : {n.hub.position, n.hub.tangent, n.hub.director, n.channel_end})
     hash = hash_of({x.data(), 3}, hash);
+  hash = hash_of(s.guide_elongation, hash);
   return hash_of(s.needle.rod.rate, hash);
 }
 

@@ -35,15 +35,14 @@ void decide_stage(State& s, const Observed& o, Frame& frame, std::vector<Event>&
 }  // namespace
 
 Bent column_bent(double load, double critical_load, double bow_ratio) {
-  constexpr double bent = 0.05, straight_again = 0.9;
-  if (load >= critical_load || bow_ratio >= bent) return Bent::yes;
-  return load < straight_again * critical_load && bow_ratio < 0.5 * bent ? Bent::no : Bent::in_between;
+  constexpr double straight_again = 0.9;
+  if (load >= critical_load || bow_ratio >= bent_ratio) return Bent::yes;
+  return load < straight_again * critical_load && bow_ratio < straight_ratio ? Bent::no : Bent::in_between;
 }
 
-Bent rod_bent(double bow_ratio) {
-  constexpr double bent = 0.02;
-  if (bow_ratio >= bent) return Bent::yes;
-  return bow_ratio < 0.5 * bent ? Bent::no : Bent::in_between;
+Bent rod_bent(double bow_ratio, double time_straight, double period) {
+  if (bow_ratio >= bent_ratio) return Bent::yes;
+  return time_straight > period ? Bent::no : Bent::in_between;
 }
 
 void show(const Model& m, State& s, const Observed& o, Frame& frame, std::vector<Event>& events) {
@@ -51,6 +50,7 @@ void show(const Model& m, State& s, const Observed& o, Frame& frame, std::vector
   frame.hand_travel = s.hub_travel;
   frame.hand_force = o.hand_force;
   frame.tip_force = o.tip_force;
+  frame.shaft_force = o.shaft_force;
   frame.tip_depth = s.tip_position;
   frame.inserted_length = o.inserted_length;
   frame.free_length = o.free_length;

@@ -10,18 +10,22 @@ namespace acus {
 // Whether the free part has given way sideways, as its model tells it.
 enum class Bent { no, yes, in_between };  // in between it stays what it was
 
+// Bows, over the length of the part that gives way: from the first on it is bent, below the second straight.
+// With the default bow of L / 4000 a load is within 0.5 % of critical when the bow is the first.
+inline constexpr double bent_ratio = 0.05, straight_ratio = 0.5 * bent_ratio;
+
 // A column has buckled once it carries the closed form's critical load, or, where the initial bow keeps the
-// load below it for long, once its bow is 5 % of the free length (with the default bow of L / 4000 the load
-// is then within 0.5 % of critical). It is straight again at half that bow, below nine tenths of the critical
-// load.
+// load below it for long, once its bow says so. It is straight again when its bow is, below nine tenths of
+// the critical load.
 Bent column_bent(double load, double critical_load, double bow_ratio);
-// A rod is asked for nothing but its shape: with the default bow it carries 1.3 % less than its critical load
-// when the bow is 2 % of the free length; it is straight again at half of that.
-Bent rod_bent(double bow_ratio);
+// A rod is asked for nothing but its shape. It is straight again once its bow has been so for a period of its
+// slowest vibration; what has sprung straight rings for a while.
+Bent rod_bent(double bow_ratio, double time_straight, double period);
 
 struct Observed {
   double hand_force = 0.0;       // N
   double tip_force = 0.0;        // N
+  double shaft_force = 0.0;      // N
   double inserted_length = 0.0;  // m
   double free_length = 0.0;      // m
   double bow = 0.0;              // m

@@ -13,7 +13,7 @@ needle::Pose hub_pose(const Model& m, double travel) {
   const Vec3 y = along.cross(Vec3::UnitY());
   const Vec3 sideways = y.norm() > 0.5 ? Vec3(y.normalized()) : Vec3(Vec3::UnitX());
   const Vec3 director = (sideways - sideways.dot(along) * along).normalized();
-  return {m.path.entry + (travel - m.scene.needle.length) * along, along, director};
+  return {m.path.entry + (travel - m.needle.length) * along, along, director};
 }
 
 coupling::Slider tip_slider(const Model& m, const State& s) {
@@ -26,7 +26,7 @@ coupling::Slider tip_slider(const Model& m, const State& s) {
 
 NeedlePlace place_needle(const Model& m, const State& s) {
   NeedlePlace place;
-  place.free_length = m.scene.needle.length;
+  place.free_length = m.needle.length;
   place.shortening = s.hub_travel - s.tip_position;
   if (!s.punctured) return place;
   const auto surface_shift = [&](const coupling::Attachment& at) {
@@ -50,6 +50,7 @@ State initial_state(const Model& m) {
   s.needle.hub = hub_pose(m, s.hub_travel);
   if (m.bends_freely()) s.needle.rod = needle::unloaded_rod(m.rod, s.needle.hub);
   s.needle.channel_end = m.path.entry;
+  s.guide_elongation.assign(m.guide.points(), 0.0);
   if (m.rigid()) return s;
   s.position = m.mesh.nodes;
   s.velocity.assign(static_cast<std::size_t>(m.tissue.free_nodes) * numeric::node_stride, 0.0);

@@ -40,9 +40,11 @@ struct State {
   double tip_elongation = 0.0;  // m, of the contact spring; negative: the gap to the channel's end
   coupling::Attachment tip;     // at the channel's end
   coupling::ChannelState channel;
-  RodNeedle needle;  // where the needle is a rod
+  std::vector<double> guide_elongation;  // m, pre-sliding along a rod's guide, [points]
+  RodNeedle needle;                      // where the needle is a rod
 
   bool buckled = false;
+  long steps_straight = 0;  // that a rod's bow has been small
   force::Ledger ledger;
   force::EnergyForce energy_force;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "acus/sim/stage.h"
+#include "acus/sim/support.h"
 #include "acus/sim/tissue_step.h"
 
 namespace acus {
@@ -18,7 +19,7 @@ struct Before {
 
   // Q, against the needle and into the tissue at the entry: sliding in bends the free part further. N
   double configurational_force(const Model& m) const {
-    return place.free_length < m.scene.needle.length ? -column.configurational_force : 0.0;
+    return place.free_length < m.needle.length ? -column.configurational_force : 0.0;
   }
 };
 
@@ -42,22 +43,23 @@ void touch(const Model& m, State& s, Scratch& w, const NeedlePlace& place) {
 }
 
 // Carries out the sliders' steps and books what they spent. Returns the tip's.
-coupling::SliderStep slide(const Model& m, State& s, const Scratch& w) {
+coupling::NeedleSlide slide(const Model& m, State& s, const Scratch& w) {
   const double h = m.scene.run.time_step;
-  coupling::SliderStep tip;
+  coupling::NeedleSlide all;
   for (const HeldPoint& p : w.held) {
     const coupling::SliderStep step = coupling::advance(p.slider, h * (s.tip_rate - tissue_rate(m, s, p)));
     s.ledger.work_numerical += step.numerical;
     if (p.cell < 0) {
       s.tip_elongation = step.elongation;
       s.ledger.work_cutting += step.dissipated;
-      tip = step;
+      all.tip = step;
     } else {
+      all.shaft_force += step.force;
       s.channel.elongation[p.cell] = step.elongation;
       s.ledger.work_friction += step.dissipated;
     }
   }
-  return tip;
+  return all;
 }
 
 double contact_energy(const Model& m, const State& s) {
@@ -155,8 +157,9 @@ void advance(const Model& m, State& s, Scratch& w, double hand_travel, Frame& fr
       frame.health = Health::solver_broke_down;
       return;
     }
-    const coupling::SliderStep tip = slide(m, s, w);
+    const auto [tip, shaft_force] = slide(m, s, w);
     observed.tip_force = tip.force;
+    observed.shaft_force = shaft_force;
     observed.ruptured_now = !s.punctured && tip.slip > 0.0;
     s.punctured = s.punctured || observed.ruptured_now;
     observed.through_now = cut(m, s, tip.slip);
@@ -177,8 +180,9 @@ void advance(const Model& m, State& s, Scratch& w, double hand_travel, Frame& fr
   observed.inserted_length = place.inserted_length;
   observed.free_length = place.free_length;
   observed.bow = column.bow;
-  observed.critical_load = critical_load(m, place.free_length);
+  observed.critical_load = critical_load(m.scene, place.free_length);
   observed.bent = column_bent(observed.hand_force, observed.critical_load, column.bow / place.free_length);
+  frame.hub_force = observed.hand_force * m.path.direction;
   show(m, s, observed, frame, events);
   frame.health = health_of(s, column, place, m.scene.needle.radius);
   probe(StepPart::ledger);

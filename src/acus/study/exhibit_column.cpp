@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "acus/sim/names.h"
+#include "acus/sim/support.h"
 #include "acus/study/curve.h"
 #include "acus/study/elastica_table.h"
 #include "acus/study/exhibits.h"
@@ -20,9 +21,8 @@ struct Measured {
 Measured measured(const RunRecord& run, double shortening_ratio) {
   const double length = run.scene.needle.length;
   const auto travel = way_in(run, "hand_travel_m");
-  return {
-      value_at(travel, way_in(run, "hand_force_N"), shortening_ratio * length) / critical_load(run, length),
-      value_at(travel, way_in(run, "deflection_m"), shortening_ratio * length) / length};
+  return {value_at(travel, way_in(run, "hand_force_N"), shortening_ratio * length) / critical_load(run.scene),
+          value_at(travel, way_in(run, "deflection_m"), shortening_ratio * length) / length};
 }
 
 std::vector<Point2> ratio_curve(const RunRecord& run, const char* name, double unit) {
@@ -44,7 +44,7 @@ Plot ratio_plot(const GroupRecords& group, const std::string& title, const std::
   if (load) plot.y_limits = Point2{0.95, 1.25};  // below, all rise alike from nothing
   for (std::size_t i = 0; i < group.runs.size(); ++i) {
     const RunRecord& run = group.runs[i];
-    const double unit = load ? critical_load(run, run.scene.needle.length) : run.scene.needle.length;
+    const double unit = load ? critical_load(run.scene) : run.scene.needle.length;
     const int style = static_cast<int>(i % 7);
     plot.curves.push_back({in_words(name_of(run.scene.needle.support)), style, ratio_curve(run, name, unit)});
     for (const ElasticaRow& row : elastica_table(run.scene.needle.support)) {
@@ -62,7 +62,7 @@ Plot ratio_plot(const GroupRecords& group, const std::string& title, const std::
 Table critical_table(const GroupRecords& group) {
   Table table{"Critical load of the bare column, N", {"support", "closed form", "simulated", "off by"}, {}};
   for (const RunRecord& run : group.runs) {
-    const double predicted = critical_load(run, run.scene.needle.length);
+    const double predicted = critical_load(run.scene);
     const EventRecord* event = find_event(run, "buckling");
     table.rows.push_back({in_words(name_of(run.scene.needle.support)), number(predicted),
                           event == nullptr ? "none" : number(event->hand_force),

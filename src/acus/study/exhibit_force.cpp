@@ -5,6 +5,7 @@
 #include <set>
 
 #include "acus/base/units.h"
+#include "acus/sim/support.h"
 #include "acus/study/curve.h"
 #include "acus/study/exhibits.h"
 #include "acus/study/markup.h"
@@ -39,7 +40,7 @@ void add_marks(Plot& plot, const RunRecord& run, int style, const std::string& n
 void add_levels(Plot& plot, const Panel& panel) {
   std::set<std::string> drawn;
   for (std::size_t i = 0; i < panel.runs.size(); ++i) {
-    const double load = critical_load(*panel.runs[i], panel.runs[i]->scene.needle.length);
+    const double load = critical_load(panel.runs[i]->scene);
     const std::string label = joined({"closed form ", number(load, 3), " N"});
     if (drawn.insert(label).second) plot.levels.push_back({load, static_cast<int>(i), label});
   }
@@ -86,7 +87,7 @@ Table event_table(const GroupRecords& group, const Panel& panel) {
     for (const EventRecord& event : run->events)
       table.rows.push_back({curve_name(group, *run), in_words(event.event), number(event.hand_travel / mm),
                             number(event.hand_force), number(event.free_length / mm),
-                            number(critical_load(*run, event.free_length))});
+                            number(critical_load(run->scene, event.free_length))});
   }
   return table;
 }

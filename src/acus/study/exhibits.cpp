@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "acus/io/scene_toml.h"
-#include "acus/needle/buckling.h"
 #include "acus/study/axis_ticks.h"
 #include "acus/study/markup.h"
 #include "acus/study/text_hash.h"
@@ -102,11 +101,6 @@ std::string share(double ratio) {
   constexpr double negligible = 1e-5;
   if (!std::isfinite(ratio)) return "-";
   return ratio < negligible ? "< 0.001 %" : joined({number(100.0 * ratio, 2), " %"});
-}
-
-double critical_load(const RunRecord& run, double free_length) {
-  return needle::critical_load(needle::bending_rigidity(run.scene.needle), free_length,
-                               run.scene.needle.support);
 }
 
 MarkShape shape_of(const std::string& event) {

@@ -57,8 +57,6 @@ std::string percent_off(double simulated, double predicted);
 // "0.012 %"; what is smaller than anyone cares for is "< 0.001 %".
 std::string share(double ratio);
 
-double critical_load(const RunRecord& run,
-                     double free_length);  // N, closed form for the run's needle and support
 MarkShape shape_of(const std::string& event);
 
 }  // namespace acus::study

@@ -34,9 +34,8 @@ class Writer {
 
 void put_numbers(Writer& writer, const Frame& frame) {
   const auto columns = io::trace_columns();
-  assert(columns.size() <= frame_numbers);
+  assert(columns.size() == frame_numbers);
   for (const auto& column : columns) writer.put(column.value(frame));
-  for (std::size_t i = columns.size(); i < frame_numbers; ++i) writer.put(0.0);
 }
 
 // At a node the mean of the tetrahedra that meet there, by volume.

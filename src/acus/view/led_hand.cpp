@@ -3,12 +3,13 @@
 #include <algorithm>
 
 #include "acus/sim/hand.h"
+#include "acus/sim/support.h"
 
 namespace acus::view {
 
 LedHand::LedHand(const Scene& scene)
-    : least_(-scene.needle.length),
-      most_(scene.needle.length - needle::shortest_column * scene.needle.radius),
+    : least_(-in_front_of_hand(scene).length),
+      most_(in_front_of_hand(scene).length - needle::shortest_column * scene.needle.radius),
       fastest_(5.0 * scene.hand.speed),  // of docs/studio-protocol.md: quick, but not a jump
       travel_(start_travel(scene.hand)) {}
 

@@ -2,7 +2,7 @@
 import { numberNames, readFrame, type NumberName } from '../../../bindings/wasm/protocol';
 import { stages, type Stage } from './protocol';
 
-// The columns of trace.csv in their order, and the energy of the grip behind them.
+// The columns of trace.csv in their order.
 export const columns = numberNames;
 export type Column = NumberName;
 export const place = Object.fromEntries(columns.map((name, i) => [name, i])) as Record<Column, number>;

@@ -47,7 +47,8 @@ export function rowAt(travel, time) {
     inserted_length_m: 0, free_length_m: length, critical_load_N: 0.642, deflection_m: buckled ? Math.sqrt(travel * length) * 0.6 : 5e-5,
     stage: travel <= 0 ? 0 : buckled ? 2 : 1, work_hand_J: force * travel, energy_tissue_J: 0.3 * force * travel, energy_needle_J: 0.7 * force * travel,
     energy_kinetic_J: 0, work_cutting_J: 0, work_friction_J: 0, work_damping_J: 0, work_numerical_J: 0, energy_residual_J: 1.23e-9,
-    solver_iterations: 12, energy_contact_J: 0, work_snap_J: 0, work_relaxation_J: 0, energy_grip_J: 0,
+    solver_iterations: 12, energy_contact_J: 0, work_snap_J: 0, work_relaxation_J: 0, shaft_force_N: 0,
+    hub_force_x_N: 0, hub_force_y_N: 0, hub_force_z_N: 0, hub_moment_x_Nm: 0, hub_moment_y_Nm: 0, hub_moment_z_Nm: 0,
   };
 }
 

@@ -106,6 +106,7 @@ export const numberNames = [
   "energy_contact_J",
   "work_snap_J",
   "work_relaxation_J",
+  "tip_aside_m",
   "energy_grip_J",
 ] as const;
 export type NumberName = typeof numberNames[number];

@@ -18,6 +18,7 @@ struct Frame {
   double energy_force = 0.0;     // N, Eq. 14-18 over energy_force_travel
   double tip_force = 0.0;        // N, contact or cutting at the tip
   double tip_depth = 0.0;        // m, of the tip below the undeformed entry
+  double tip_aside = 0.0;        // m, of the tip from the straight path
   double inserted_length = 0.0;  // m, of needle inside tissue
   double free_length = 0.0;      // m, of needle outside tissue
   double critical_load = 0.0;    // N, closed form on the present free length

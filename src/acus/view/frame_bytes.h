@@ -11,7 +11,7 @@
 namespace acus::view {
 
 inline constexpr std::uint32_t frame_mark = 0x46434131;  // "1ACF" in memory
-inline constexpr int frame_numbers = 25;                 // the columns of a trace, with room for one more
+inline constexpr int frame_numbers = 26;                 // the columns of a trace, with room for one more
 inline constexpr int frame_head = 16;                    // bytes before them
 inline constexpr int needle_points = 121;
 

@@ -261,9 +261,10 @@ bool cut_along_tip(const Model& m, State& s, double slip) {
       held ? tissue::deformation_gradient(m.tissue, s.position, held->tet) : Mat3(Mat3::Identity());
   const Vec3 from = channel_end_now(m, s);
   const Vec3 to_point = n.rod.position.back() + point - from;
-  // It ends where the point is: ahead by the slip, and aside, but at no steep angle to the needle.
+  // A tip without a side parts the tissue ahead of it. What the point of a bevel cuts ends where the point
+  // is: ahead by the slip, and aside, but at no steep angle to the needle.
   constexpr double steepest = 0.2;
-  const Vec3 aside = across(to_point, axis);
+  const Vec3 aside = m.point_aside > 0.0 ? across(to_point, axis) : Vec3(Vec3::Zero());
   const Vec3 ahead = axis + aside / std::max(slip, aside.norm() / steepest);
   const Vec3 way = F.determinant() > 0.01 ? Vec3(F.inverse() * ahead) : ahead;
   const Vec3 direction = way.normalized();

@@ -143,6 +143,10 @@ int do_check(const CheckOptions& options) {
     std::fputs(io::scene_keys_page().c_str(), stdout);
     return done;
   }
+  if (options.needles) {
+    std::fputs(io::needles_json().c_str(), stdout);
+    return done;
+  }
   if (options.scene.empty())
     return refused("check needs a scene file, or --keys for the list of all keys", bad_input);
   const Result<Scene> scene = io::read_scene(options.scene, options.settings);

@@ -85,6 +85,7 @@ void add_check(CLI::App& program, Work& work) {
   verb->add_option("SCENE", options->scene, "scene file (TOML)");
   add_settings(*verb, options->settings);
   verb->add_flag("--keys", options->keys, "print the reference of all scene keys, in Markdown");
+  verb->add_flag("--needles", options->needles, "print the table of gauges and materials, as JSON");
   verb->callback([options, &work] { work = [options] { return do_check(*options); }; });
 }
 

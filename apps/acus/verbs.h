@@ -38,7 +38,7 @@ int do_replay(const ReplayOptions& options);
 struct CheckOptions {
   std::string scene;
   std::vector<std::string> settings;
-  bool keys = false;
+  bool keys = false, needles = false;
 };
 int do_check(const CheckOptions& options);
 

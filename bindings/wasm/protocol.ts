@@ -106,6 +106,7 @@ export const numberNames = [
   "energy_contact_J",
   "work_snap_J",
   "work_relaxation_J",
+  "tip_aside_m",
   "shaft_force_N",
   "hub_force_x_N",
   "hub_force_y_N",

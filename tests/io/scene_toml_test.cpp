@@ -187,11 +187,54 @@ TEST(SceneToml, no_text_makes_the_reader_crash) {
   EXPECT_NE(refusal("a = " + std::string(100000, '[')), "accepted");
 }
 
+std::string shipped(const char* file) {
+  std::ifstream stream(std::string(ACUS_SOURCE_DIR) + file);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
 TEST(SceneToml, the_shipped_reference_of_keys_is_the_generated_one) {
-  std::ifstream file(ACUS_SOURCE_DIR "/docs/scene-keys.md");
-  std::ostringstream shipped;
-  shipped << file.rdbuf();
-  EXPECT_EQ(shipped.str(), scene_keys_page()) << "write it anew: acus check --keys > docs/scene-keys.md";
+  EXPECT_EQ(shipped("/docs/scene-keys.md"), scene_keys_page())
+      << "write it anew: acus check --keys > docs/scene-keys.md";
+}
+
+TEST(SceneToml, the_page_has_the_gauges_and_materials_of_the_engine) {
+  EXPECT_EQ(shipped("/studio/src/state/needles.json"), needles_json())
+      << "write it anew: acus check --needles > studio/src/state/needles.json";
+}
+
+// ISO 9626: the outer diameter of 0.7 mm tubing is 0.698 to 0.730 mm, of 0.5 mm tubing 0.500 to 0.530 mm.
+TEST(SceneToml, a_gauge_and_a_material_stand_for_their_numbers) {
+  const auto scene = parse_scene("[needle]\ngauge = \"22G\"\nmaterial = \"nitinol\"", "a.toml");
+  ASSERT_TRUE(scene.ok()) << scene.error().sentence;
+  EXPECT_GE(2e3 * scene->needle.radius, 0.698);
+  EXPECT_LE(2e3 * scene->needle.radius, 0.730);
+  EXPECT_EQ(scene_json(*scene)["needle"]["radius_mm"], 0.3588);
+  EXPECT_EQ(scene_json(*scene)["needle"]["inner_radius_mm"], 0.2065);
+  EXPECT_EQ(scene_json(*scene)["needle"]["youngs_modulus_GPa"], 75);
+  EXPECT_EQ(scene_json(*scene)["needle"]["density_kg_m3"], 6450);
+  EXPECT_FALSE(scene_json(*scene)["needle"].contains("gauge"));
+  // Laid over, either goes before what the scene has.
+  const auto thinner = with_settings(*scene, {"needle.gauge=25G"});
+  ASSERT_TRUE(thinner.ok()) << thinner.error().sentence;
+  EXPECT_GE(2e3 * thinner->needle.radius, 0.500);
+  EXPECT_LE(2e3 * thinner->needle.radius, 0.530);
+  const auto solid = with_settings(*scene, {"needle.inner_radius_mm=0"});
+  ASSERT_TRUE(solid.ok()) << solid.error().sentence;
+  EXPECT_EQ(solid->needle.inner_radius, 0.0);
+  EXPECT_EQ(solid->needle.radius, scene->needle.radius);
+}
+
+TEST(SceneToml, a_gauge_beside_a_radius_is_refused_in_one_sentence) {
+  const std::string both = "needle.gauge sets needle.radius_mm, which is given too; remove one of the two";
+  EXPECT_EQ(refusal("[needle]\ngauge = \"22G\"\nradius_mm = 0.3"), "scene.toml:3:1: " + both);
+  const auto set = with_settings(Scene{}, {"needle.radius_mm=0.3", "needle.gauge=22G"});
+  ASSERT_FALSE(set.ok());
+  EXPECT_EQ(set.error().sentence, "--set needle.gauge=22G: " + both);
+  EXPECT_NE(refusal("[needle]\ngauge = \"22\"").find("did you mean \"22G\"?"), std::string::npos);
+  EXPECT_NE(refusal("[needle]\ngauge = 22").find("but is 22"), std::string::npos);
+  EXPECT_NE(refusal("[needle]\nguage = \"22G\"").find("did you mean needle.gauge?"), std::string::npos);
 }
 
 }  // namespace

@@ -53,6 +53,7 @@ TEST(TraceCsv, every_value_stands_under_its_own_name_and_reads_back_to_the_bit) 
       {"work_snap_J", &frame.ledger.work_snap},
       {"work_relaxation_J", &frame.ledger.work_relaxation},
       {"energy_residual_J", &frame.energy_residual},
+      {"tip_aside_m", &frame.tip_aside},
   };
   for (std::size_t i = 0; i < numbers.size(); ++i)
     *numbers[i].second = std::sqrt(2.0 + static_cast<double>(i)) * 1e-3;

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "acus/io/mesh_file.h"
 #include "acus/mesh/block.h"
@@ -152,61 +151,6 @@ TEST(RodHub, feels_the_force_and_moment_of_a_beam) {
     EXPECT_NEAR(f.ledger.energy_needle, 0.5 * (turned ? moment : force) * most, 0.03 * f.ledger.energy_needle)
         << turned;
   }
-}
-
-// A 22 G tube with a bevel of 20 degrees, pushed 40 mm in while the hub spins `turns` times.
-struct Steered {
-  Vec3 tip;  // m, aside of the path: along the plane of the bow, across it, along the path
-  Frame end;
-};
-Steered steered(double share, double facing_degrees, double turns) {
-  Scene scene = table_one(0.15, 50e-3, 50e-3, 800);
-  scene.needle_model = NeedleModel::rod;
-  scene.needle.radius = 0.3588e-3;
-  scene.needle.inner_radius = 0.2065e-3;
-  scene.needle.imperfection = 0.0;
-  scene.needle.bevel_degrees = 20.0;
-  scene.needle.bevel_turn_degrees = facing_degrees;
-  scene.contact.bevel_share = share;
-  scene.contact.rupture_force = 0.5;
-  scene.contact.friction = 10.0;
-  auto simulation = Simulation::build(scene);
-  EXPECT_TRUE(simulation.ok());
-  const needle::Pose start = simulation->hub();
-  const Vec3 across = start.tangent.cross(start.director);
-  double cut = 0.0;
-  for (int i = 1; i <= 1000; ++i) {
-    needle::Pose hub = start;
-    const double angle = 2.0 * std::numbers::pi * turns * i / 1000.0;
-    hub.position += 50e-6 * i * start.tangent;
-    hub.director = std::cos(angle) * start.director + std::sin(angle) * across;
-    const Frame& frame = simulation->step(hub);
-    EXPECT_EQ(frame.health, Health::good) << i;
-    EXPECT_GE(frame.ledger.work_cutting, cut - 1e-9) << i;
-    cut = frame.ledger.work_cutting;
-  }
-  const Vec3 tip = simulation->needle_line(2).back() - simulation->entry();
-  return {{tip.dot(start.director), tip.dot(across), tip.dot(start.tangent)}, simulation->frame()};
-}
-
-TEST(Bevel, steers_to_the_side_of_its_point_and_by_its_share) {
-  const Steered once = steered(0.05, 0.0, 0.0), twice = steered(0.1, 0.0, 0.0);
-  EXPECT_GT(once.tip.x(), 0.3e-3);
-  EXPECT_NEAR(twice.tip.x(), 2.0 * once.tip.x(), 0.2 * once.tip.x());
-  EXPECT_LT(std::abs(twice.tip.y()), 0.05 * twice.tip.x());
-  const Steered other = steered(0.1, 180.0, 0.0), aside = steered(0.1, 90.0, 0.0);
-  EXPECT_NEAR(other.tip.x(), -twice.tip.x(), 0.05 * twice.tip.x());
-  EXPECT_NEAR(aside.tip.y(), twice.tip.x(), 0.05 * twice.tip.x());
-  EXPECT_LT(std::abs(twice.end.energy_residual), 1e-5 * twice.end.ledger.work_hand);
-}
-
-// Minhas, Engh, Fenske and Riviere (IEEE EMBS 2007): a needle that spins all the way goes straight, one that
-// spins half of it bends half as much.
-TEST(Bevel, goes_straight_while_it_spins) {
-  const Steered still = steered(0.1, 0.0, 0.0), spun = steered(0.1, 0.0, 20.0);
-  const double aside = std::hypot(spun.tip.x(), spun.tip.y());
-  EXPECT_LT(aside, 0.15 * still.tip.x());
-  EXPECT_LT(std::abs(spun.end.energy_residual), 1e-4 * spun.end.ledger.work_hand);
 }
 
 // Where the tip touches beside the entry, the channel begins there: nothing pulls the shaft aside.

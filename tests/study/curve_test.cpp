@@ -46,5 +46,22 @@ TEST(Curve, values_between_samples_lie_on_straight_lines) {
   EXPECT_DOUBLE_EQ(value_at(xs, ys, 9.0), 8.0);
 }
 
+TEST(Curve, the_circle_through_a_short_arc_has_its_curvature) {
+  std::vector<Point2> arc, line;
+  for (int i = 0; i <= 50; ++i) {
+    const double angle = 0.003 * i;
+    arc.push_back({3.0 + 400.0 * std::sin(angle), 1.0 + 400.0 * (1.0 - std::cos(angle))});
+    line.push_back({1.0 * i, 0.5 * i});
+  }
+  const auto circle = circle_through(arc);
+  ASSERT_TRUE(circle);
+  EXPECT_NEAR(circle->curvature, 1.0 / 400.0, 1e-8);
+  EXPECT_LT(circle->residual, 1e-6);
+  arc[25][1] += 0.3;
+  EXPECT_NEAR(circle_through(arc)->residual, 0.3 / std::sqrt(51.0), 0.01);
+  EXPECT_FALSE(circle_through(line));
+  EXPECT_FALSE(circle_through(std::span(arc).first(2)));
+}
+
 }  // namespace
 }  // namespace acus::study

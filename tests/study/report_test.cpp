@@ -21,14 +21,14 @@ const char* const trace_head =
     "m,"
     "critical_load_N,deflection_m,stage,work_hand_J,energy_tissue_J,energy_needle_J,energy_kinetic_J,"
     "work_cutting_J,work_friction_J,work_damping_J,work_numerical_J,energy_residual_J,solver_iterations,"
-    "energy_contact_J,work_snap_J,work_relaxation_J\n";
+    "energy_contact_J,work_snap_J,work_relaxation_J,tip_aside_m\n";
 
 // A row of a trace at a time, travel and force; of the work of the hand a quarter each went into tissue and
 // needle and a half into cutting; the tip is a metre deep for each joule.
 std::string trace_row(const std::string& time_travel_force, double work) {
   std::ostringstream row;
   row << time_travel_force << ",0,0," << work << ",0,0.2,0.3,0,contact," << work << ',' << work / 4 << ','
-      << work / 4 << ",0," << work / 2 << ",0,0,0,0,1,0,0,0\n";
+      << work / 4 << ",0," << work / 2 << ",0,0,0,0,1,0,0,0,0\n";
   return row.str();
 }
 
@@ -40,7 +40,7 @@ struct HandMade {
       "0.1,contact,0.001,0.02,0.2\n1.2,buckling,0.012,0.26,0.2\n1.8,puncture,0.018,0.44,0.19\n";
   std::string summary = R"({"outcome": "buckled_then_punctured", "completed": true, "health": "good",
     "steps": 2000, "simulated_time_s": 2.5, "peak_hand_force_N": 0.5, "peak_tip_force_N": 0.45, "peak_deflection_m": 0.0125,
-    "peak_tip_depth_m": 0.003, "peak_energy_force_gap_N": 0.01,
+    "peak_tip_depth_m": 0.003, "peak_tip_aside_m": 0.002, "peak_energy_force_gap_N": 0.01,
     "bucklings": [{"event": "buckling", "predicted_load_N": 0.3125}],
     "energy": {"work_hand_J": 0.008, "relative_residual": 0.00025},
     "mesh": {"nodes": 5, "tetrahedra": 1234}, "state_hash": "00ff00ff00ff00ff",
@@ -145,11 +145,13 @@ TEST(Report, the_table_of_results_is_that_of_the_files) {
       "study,run,needle.length_mm,outcome,health,buckling_load_N,buckling_predicted_N,buckling_travel_m,"
       "puncture_force_N,puncture_travel_m,second_buckling_load_N,second_buckling_predicted_N,"
       "second_buckling_free_length_m,peak_hand_force_N,peak_tip_force_N,peak_deflection_m,peak_tip_depth_m,"
-      "work_hand_J,relative_energy_residual,peak_energy_force_gap_N,tetrahedra,simulated_time_s,steps,state_"
+      "peak_tip_aside_m,work_hand_J,relative_energy_residual,peak_energy_force_gap_N,tetrahedra,simulated_"
+      "time_s,steps,state_"
       "hash\n"
-      "made,a,200,buckled_then_punctured,good,0.26,0.3125,0.012,0.44,0.018,,,,0.5,0.45,0.0125,0.003,0.008,"
+      "made,a,200,buckled_then_punctured,good,0.26,0.3125,0.012,0.44,0.018,,,,0.5,0.45,0.0125,0.003,0.002,0."
+      "008,"
       "0.00025,0.01,1234,2.5,2000,00ff00ff00ff00ff\n"
-      "made,b,200,never_punctured,not_finite,0.26,,0.012,0.44,0.018,,,,,,,,,,,,,1,\n");
+      "made,b,200,never_punctured,not_finite,0.26,,0.012,0.44,0.018,,,,,,,,,,,,,,1,\n");
 }
 
 TEST(Report, a_run_that_ended_early_is_named_and_left_out_of_the_pictures) {

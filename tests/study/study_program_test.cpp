@@ -207,7 +207,7 @@ path = [[0, 0], [1, 1]]
 [axes]
 hand.path = [[[0, 0], [0.2, 5]], [[0, 0], [0.2, 5], [0.3, 5], [0.5, 0]]]
 [report]
-show = ["force", "energy", "stages", "mesh", "loads", "convergence", "coupling", "felt", "map"]
+show = ["force", "energy", "stages", "mesh", "loads", "convergence", "coupling", "felt", "map", "track"]
 panel = "hand.path"
 )");
   const Outcome outcome = acus_study({study, "--out", out.string()}, folder);

@@ -25,9 +25,9 @@ class ReadBack {
   }
   std::size_t points() const { return at<std::uint32_t>(4); }
   std::size_t nodes() const { return at<std::uint32_t>(8); }
-  Vec3 needle(std::size_t i) const { return vector(264 + 12 * i); }
-  Vec3 node(std::size_t i) const { return vector(264 + 12 * (points() + i)); }
-  double stress(std::size_t i) const { return at<float>(264 + 12 * (points() + nodes()) + 4 * i); }
+  Vec3 needle(std::size_t i) const { return vector(272 + 12 * i); }
+  Vec3 node(std::size_t i) const { return vector(272 + 12 * (points() + i)); }
+  double stress(std::size_t i) const { return at<float>(272 + 12 * (points() + nodes()) + 4 * i); }
 
  private:
   Vec3 vector(std::size_t byte) const { return {at<float>(byte), at<float>(byte + 4), at<float>(byte + 8)}; }
@@ -91,7 +91,7 @@ TEST(FrameBytes, needle_goes_from_hub_to_tip_and_nodes_keep_their_order) {
   expect_near(read.needle(read.points() - 1),
               simulation.entry() + simulation.frame().tip_depth * simulation.direction());
   ASSERT_EQ(read.nodes(), simulation.tissue().nodes.size());
-  EXPECT_EQ(bytes.size(), 264 + 12 * read.points() + 16 * read.nodes());
+  EXPECT_EQ(bytes.size(), 272 + 12 * read.points() + 16 * read.nodes());
   for (std::size_t i = 0; i < read.nodes(); ++i) expect_near(read.node(i), simulation.positions()[i]);
 }
 

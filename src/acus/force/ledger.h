@@ -4,14 +4,14 @@
 namespace acus::force {
 
 struct Ledger {
-  double work_hand = 0.0;        // J, done by the hand on the hub
-  double energy_tissue = 0.0;    // J, elastic, in the tissue
-  double energy_needle = 0.0;    // J, bending, stretch and twist of the needle
-  double energy_contact = 0.0;   // J, springs between needle and tissue (tip contact, pre-sliding)
-  double energy_kinetic = 0.0;   // J, tissue and rod
-  double work_cutting = 0.0;     // J, never decreases, but by what the push of a bevel takes from it
-  double work_friction = 0.0;    // J, never decreases
-  double work_damping = 0.0;     // J, Rayleigh
+  double work_hand = 0.0;       // J, done by the hand on the hub
+  double energy_tissue = 0.0;   // J, elastic, in the tissue
+  double energy_needle = 0.0;   // J, bending, stretch and twist of the needle
+  double energy_contact = 0.0;  // J, springs between needle and tissue (tip contact, pre-sliding)
+  double energy_kinetic = 0.0;  // J, tissue and rod
+  double work_cutting = 0.0;    // J, never decreases; of a bevel, less what its shaft spreads the tissue with
+  double work_friction = 0.0;   // J, never decreases
+  double work_damping = 0.0;    // J, Rayleigh
   double work_relaxation = 0.0;  // J, never decreases; where the tissue relaxes
   double work_numerical = 0.0;   // J, dissipated by the integrator, from its own formulas
   // J, given off where the needle jumps from one equilibrium to another (snaps straight): a real needle goes

@@ -1,5 +1,6 @@
 // Reading: TOML -> Scene. A visitor per kind of field takes the value; places in the text are kept for
 // errors.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -10,6 +11,7 @@
 #include "acus/io/text_file.h"
 #include "acus/io/toml_document.h"
 #include "acus/sim/scene_keys.h"
+#include "acus/sim/shorthands.h"
 
 namespace acus::io {
 namespace {
@@ -33,6 +35,19 @@ std::string described(const toml::node& node) {
 bool is_number(const toml::node& node) { return node.is_integer() || node.is_floating_point(); }
 double number(const toml::node& node) {
   return node.is_integer() ? static_cast<double>(**node.as_integer()) : **node.as_floating_point();
+}
+
+// Which of `words` stands there; if none, why not, to be put behind the name of the key.
+Result<std::size_t> chosen_word(const toml::node& node, const std::vector<std::string>& words) {
+  const std::string word = node.value_or(std::string());
+  const auto found = std::find(words.begin(), words.end(), word);
+  if (node.is_string() && found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  std::string allowed;
+  for (const std::string& one : words) allowed += (allowed.empty() ? "" : ", ") + quoted(one);
+  const std::string said = (words.size() == 1 ? "must be " : "must be one of ") + allowed +
+                           (words.size() == 1 ? " in this version" : "") + ", but is " + described(node);
+  const std::string near = node.is_string() ? nearest_word(word, words) : "";
+  return Error{near.empty() ? said : said + "; did you mean " + quoted(near) + "?"};
 }
 
 // Puts one value into the scene; returns what is wrong, to be put behind the name of the key.
@@ -63,17 +78,10 @@ struct FieldReader {
   }
 
   std::string operator()(const ChoiceField& field) const {
-    const std::string word = node.value_or(std::string());
-    for (std::size_t i = 0; i < field.names.size(); ++i)
-      if (node.is_string() && word == field.names[i])
-        return field.set(scene, static_cast<int>(i)), std::string();
-    std::string allowed;
-    for (const std::string& name : field.names) allowed += (allowed.empty() ? "" : ", ") + quoted(name);
-    const std::string said = (field.names.size() == 1 ? "must be " : "must be one of ") + allowed +
-                             (field.names.size() == 1 ? " in this version" : "") + ", but is " +
-                             described(node);
-    const std::string near = node.is_string() ? nearest_word(word, field.names) : "";
-    return near.empty() ? said : said + "; did you mean " + quoted(near) + "?";
+    const Result<std::size_t> word = chosen_word(node, field.names);
+    if (!word) return word.error().sentence;
+    field.set(scene, static_cast<int>(*word));
+    return {};
   }
 
   std::string operator()(const FileField& field) const {
@@ -126,6 +134,7 @@ std::vector<std::string> names_in_place_of(const std::string& name) {
     const bool at_top = name.find('.') == std::string::npos;
     names.push_back(at_top ? key.name.substr(0, key.name.find('.')) : key.name);
   }
+  for (const Shorthand& shorthand : shorthands()) names.push_back(shorthand.name);
   return names;
 }
 
@@ -141,7 +150,12 @@ std::string unknown_key(const std::string& name) {
          (near.empty() ? "`acus check --keys` lists them all" : "did you mean " + near + "?");
 }
 
-// A scene under construction, and where in the text each key was given.
+bool is_known(const std::string& name) {
+  return find_scene_key(name) != nullptr || find_shorthand(name) != nullptr;
+}
+
+// A scene under construction, and where in the text each key was given. What is laid over a scene goes before
+// it; within one text nothing may be said twice.
 class Reading {
  public:
   explicit Reading(Scene scene) : scene_(std::move(scene)) {}
@@ -152,8 +166,8 @@ class Reading {
       const std::string name = prefix + std::string(key.str());
       const auto place = node.source().begin.line != 0 ? node.source().begin : key.source().begin;
       const std::string where = file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
-      if (const SceneKey* known = find_scene_key(name)) {
-        if (auto wrong = put(*known, node, std::filesystem::path(file).parent_path(), where)) return wrong;
+      if (is_known(name)) {
+        if (auto wrong = put(name, node, std::filesystem::path(file).parent_path(), where)) return wrong;
       } else if (!is_table_name(name)) {
         return Error{where + ": " + unknown_key(name)};
       } else if (!node.is_table()) {
@@ -166,12 +180,24 @@ class Reading {
     return std::nullopt;
   }
 
-  std::optional<Error> put(const SceneKey& key, const toml::node& node, const std::filesystem::path& folder,
-                           const std::string& where) {
+  // What comes from now on is laid over what came so far.
+  void begin_layer() { set_by_.clear(); }
+
+  // The value of a key, or of a shorthand for several.
+  std::optional<Error> put(const std::string& name, const toml::node& node,
+                           const std::filesystem::path& folder, const std::string& where) {
+    if (const Shorthand* shorthand = find_shorthand(name)) {
+      const Result<std::size_t> word = chosen_word(node, shorthand->words);
+      if (!word) return Error{where + ": " + name + " " + word.error().sentence};
+      shorthand->set(scene_, *word);
+      for (const std::string& key : shorthand->keys)
+        if (auto twice = note(key, name, where)) return twice;
+      return std::nullopt;
+    }
+    const SceneKey& key = *find_scene_key(name);
     const std::string said = std::visit(FieldReader{scene_, node, folder}, key.field);
-    if (!said.empty()) return Error{where + ": " + key.name + " " + said};
-    places_[key.name] = where;
-    return std::nullopt;
+    if (!said.empty()) return Error{where + ": " + name + " " + said};
+    return note(name, name, where);
   }
 
   // The scene, checked as a whole; the place of the key that a complaint begins with goes before it.
@@ -185,8 +211,18 @@ class Reading {
   }
 
  private:
+  // That `key` was set, through the name `by`.
+  std::optional<Error> note(const std::string& key, const std::string& by, const std::string& where) {
+    places_[key] = where;
+    const std::string& first = set_by_.emplace(key, by).first->second;
+    if (first == by) return std::nullopt;
+    const std::string& shorthand = first == key ? by : first;
+    return Error{where + ": " + shorthand + " sets " + key + ", which is given too; remove one of the two"};
+  }
+
   Scene scene_;
   std::map<std::string, std::string> places_;
+  std::map<std::string, std::string> set_by_;  // key -> itself or its shorthand, in this layer
 };
 
 // "key=value": the value as in TOML, and for words and file names also without quotes.
@@ -196,22 +232,23 @@ std::optional<Error> lay_over(Reading& reading, const std::string& setting, cons
   if (equals == std::string::npos || equals == 0)
     return Error{where + ": must be key=value, as in --set needle.length_mm=150"};
   const std::string name = setting.substr(0, equals), text = setting.substr(equals + 1);
+  if (!is_known(name)) return Error{where + ": " + unknown_key(name)};
   const SceneKey* key = find_scene_key(name);
-  if (key == nullptr) return Error{where + ": " + unknown_key(name)};
-  const bool word =
-      std::holds_alternative<ChoiceField>(key->field) || std::holds_alternative<FileField>(key->field);
+  const bool word = key == nullptr || std::holds_alternative<ChoiceField>(key->field) ||
+                    std::holds_alternative<FileField>(key->field);
   if (word && (text.empty() || (text.front() != '"' && text.front() != '\'')))
-    return reading.put(*key, toml::value<std::string>(text), folder, where);
+    return reading.put(name, toml::value<std::string>(text), folder, where);
   const std::string document = "value = " + text;
   const Result<toml::table> parsed = parse_toml(document, where);
   if (!parsed || parsed->size() != 1 || parsed->get("value") == nullptr)
     return Error{where + ": " + quoted(text) +
                  " cannot be read as a value; write a number, true, \"text\" or [a, b, c]"};
-  return reading.put(*key, *parsed->get("value"), folder, where);
+  return reading.put(name, *parsed->get("value"), folder, where);
 }
 
 Result<Scene> finished(Reading reading, const std::vector<std::string>& settings, const std::string& name,
                        const std::string& folder = "") {
+  reading.begin_layer();
   for (const std::string& setting : settings)
     if (auto wrong = lay_over(reading, setting, folder)) return *wrong;
   return std::move(reading).finished(name);

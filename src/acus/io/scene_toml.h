@@ -29,7 +29,11 @@ nlohmann::ordered_json scene_json(const Scene& scene);
 // Text as a TOML string, quotes and all; what would end or break the line is escaped.
 std::string toml_string(const std::string& text);
 
-// The reference of all keys, in Markdown: name, default, what is allowed, meaning.
+// The reference of all keys, in Markdown: name, default, what is allowed, meaning; and of the words for
+// several of them.
 std::string scene_keys_page();
+
+// The gauges and materials of needle/gauges.h, for the page.
+std::string needles_json();
 
 }  // namespace acus::io

@@ -4,7 +4,9 @@
 
 #include "acus/base/decimal.h"
 #include "acus/io/scene_toml.h"
+#include "acus/needle/gauges.h"
 #include "acus/sim/scene_keys.h"
+#include "acus/sim/shorthands.h"
 
 namespace acus::io {
 namespace {
@@ -68,6 +70,50 @@ struct AllowedInWords {
   }
 };
 
+std::string row(const std::vector<std::string>& cells) {
+  std::string out = "|";
+  for (const std::string& cell : cells) out += " " + cell + " |";
+  return out + "\n";
+}
+
+std::string in_mm(double metres) { return decimal_text(as_written(metres, -3)); }
+
+// The part of the reference that is about words for several keys, and what they stand for.
+std::string shorthands_in_words() {
+  std::string out = R"(
+## One word for several keys
+
+A scene is written with the numbers that such a word stands for. Within one file, or one list of `--set`, either the word is
+given or the key; what is laid over a scene goes before what the scene has.
+
+| word | sets | allowed |
+|---|---|---|
+)";
+  for (const Shorthand& one : shorthands()) {
+    std::string keys;
+    for (const std::string& key : one.keys) keys += (keys.empty() ? "`" : ", `") + key + "`";
+    out += row({"`" + one.name + "`", keys, one.help});
+  }
+  out += R"(
+Gauges of hypodermic tube, nominal, regular wall, after the needle gauge comparison chart; ISO 9626 rounds them to metric
+sizes.
+
+| `needle.gauge` | outer diameter, mm | bore, mm |
+|---|---|---|
+)";
+  for (const needle::Gauge& gauge : needle::gauges())
+    out += row(
+        {"`\"" + std::string(gauge.name) + "\"`", in_mm(gauge.outer_diameter), in_mm(gauge.inner_diameter)});
+  out += R"(
+| `needle.material` | Young's modulus, GPa | density, kg/m^3 | source |
+|---|---|---|---|
+)";
+  for (const needle::Material& one : needle::materials())
+    out += row({"`\"" + std::string(one.name) + "\"`", decimal_text(as_written(one.youngs_modulus, 9)),
+                decimal_text(one.density), one.source});
+  return out;
+}
+
 }  // namespace
 
 std::string toml_string(const std::string& text) {
@@ -103,6 +149,21 @@ std::string scene_toml(const Scene& scene) {
   return out;
 }
 
+std::string needles_json() {
+  Json gauges = Json::array(), materials = Json::array();
+  for (const needle::Gauge& gauge : needle::gauges())
+    gauges.push_back({{"name", gauge.name},
+                      {"outer_diameter_mm", as_written(gauge.outer_diameter, -3)},
+                      {"inner_diameter_mm", as_written(gauge.inner_diameter, -3)}});
+  for (const needle::Material& material : needle::materials())
+    materials.push_back({{"name", material.name},
+                         {"words", material.words},
+                         {"youngs_modulus_GPa", as_written(material.youngs_modulus, 9)},
+                         {"density_kg_m3", material.density},
+                         {"source", material.source}});
+  return Json{{"gauges", gauges}, {"materials", materials}}.dump(1) + "\n";
+}
+
 std::string scene_keys_page() {
   std::string page =
       "# Scene keys\n\nEvery key of a scene, with its default. The unit is the end of the name. This page is "
@@ -112,7 +173,7 @@ std::string scene_keys_page() {
   for (const SceneKey& key : scene_keys())
     page += "| `" + key.name + "` | `" + toml_value(std::visit(defaults, key.field)) + "` | " +
             std::visit(AllowedInWords{}, key.field) + " | " + key.help + " |\n";
-  return page;
+  return page + shorthands_in_words();
 }
 
 }  // namespace acus::io

@@ -83,6 +83,7 @@ Json summary_json(const Insertion& insertion, std::optional<double> wall_time) {
   json["rupture_force_N"] = summary.rupture_force ? Json(*summary.rupture_force) : Json();
   json["peak_deflection_m"] = summary.peak_deflection;
   json["peak_tip_depth_m"] = summary.peak_tip_depth;
+  json["peak_tip_aside_m"] = summary.peak_tip_aside;
   json["peak_energy_force_gap_N"] = summary.peak_energy_force_gap;
   json["bucklings"] = bucklings(insertion);
   json["predicted_loads_N"] = predicted_loads(insertion.scene);

@@ -34,6 +34,7 @@ constexpr std::array of_frames = {
     Column<Frame>{"energy_contact_J", ACUS_NUMBER(ledger.energy_contact)},
     Column<Frame>{"work_snap_J", ACUS_NUMBER(ledger.work_snap)},
     Column<Frame>{"work_relaxation_J", ACUS_NUMBER(ledger.work_relaxation)},
+    Column<Frame>{"tip_aside_m", ACUS_NUMBER(tip_aside)},
     Column<Frame>{"shaft_force_N", ACUS_NUMBER(shaft_force)},
     Column<Frame>{"hub_force_x_N", ACUS_NUMBER(hub_force.x())},
     Column<Frame>{"hub_force_y_N", ACUS_NUMBER(hub_force.y())},

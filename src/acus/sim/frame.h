@@ -19,6 +19,7 @@ struct Frame {
   double tip_force = 0.0;        // N, contact or cutting at the tip
   double shaft_force = 0.0;      // N, along the path, friction of the tissue on the shaft
   double tip_depth = 0.0;        // m, of the tip below the undeformed entry
+  double tip_aside = 0.0;        // m, of the tip from the straight path
   double inserted_length = 0.0;  // m, of needle inside tissue
   double free_length = 0.0;      // m, of needle outside tissue
   double critical_load = 0.0;    // N, closed form on the present free length

@@ -149,12 +149,11 @@ Result<Model> build_model(const Scene& scene, const mesh::TetMesh* mesh) {
   m.cutting_force =
       force::cutting_force(scene.contact.fracture_toughness, scene.contact.crack, scene.needle.radius);
   constexpr double degree = std::numbers::pi / 180.0;
-  if (scene.needle.bevel_degrees >
-      0.0) {  // what presses on a face presses across it: along 1, aside cot(bevel)
-    const double tangent = numeric::tan(scene.needle.bevel_degrees * degree);
-    m.bevel_ratio = scene.contact.bevel_share / tangent;
-    m.bevel_face = 2.0 * scene.needle.radius / tangent;
-  }
+  // The point of a bevel is at the wall; the less it is ahead of the face's other end, 2 r cot(bevel) on a
+  // face of 2 r / sin(bevel), the more the face opens the tissue evenly.
+  if (scene.needle.bevel_degrees > 0.0)
+    m.point_aside =
+        scene.contact.bevel_share * scene.needle.radius * numeric::cos(scene.needle.bevel_degrees * degree);
   if (m.rigid()) {
     m.path = {Vec3::Zero(), Vec3(0.0, 0.0, -1.0), 0.0};
     m.guide = guide_above_entry(m);

@@ -22,8 +22,7 @@ struct Model {
   needle::Column column;
   needle::Rod rod;
   double cutting_force = 0.0;    // N
-  double bevel_ratio = 0.0;      // of the force to the side that a bevel makes of the tip force
-  double bevel_face = 0.0;       // m, how far its face reaches along the needle
+  double point_aside = 0.0;      // m, how far from the needle's axis the point of a bevel cuts
   double grip_compliance = 0.0;  // m/N
   mesh::InsertionPath path;      // entry, direction, length of tissue along it
 

@@ -76,17 +76,14 @@ void place_tip(const Model& m, State& s) {
   if (!s.punctured) s.needle.tip_offset = across(gap, axis);
 }
 
-// N, to the side of the point, by as much of the face as is inside. It is taken as the tip force was before
-// the step: it pushes, and holds nothing.
-Vec3 bevel_push(const Model& m, const State& s, const coupling::Slider& slider, const Vec3& axis) {
-  if (m.bevel_ratio == 0.0 || !s.punctured || s.through) return Vec3::Zero();
+// m, from the middle of the tip to the point of its bevel, which is what cuts.
+Vec3 point_from_tip(const Model& m, const State& s) {
+  if (m.point_aside == 0.0) return Vec3::Zero();
   constexpr double degree = std::numbers::pi / 180.0;
   const double turn = m.scene.needle.bevel_turn_degrees * degree;
   const Vec3& director = s.needle.rod.director.back();
-  const Vec3 side = numeric::cos(turn) * director + numeric::sin(turn) * axis.cross(director);
-  const double tip_force = std::clamp(slider.stiffness * slider.elongation, slider.lower, slider.upper);
-  const double inside = std::min(1.0, s.channel_depth / m.bevel_face);
-  return m.bevel_ratio * inside * tip_force * side;
+  const Vec3 axis = tangent_at(s, m.rod.edges - 1);
+  return m.point_aside * (numeric::cos(turn) * director + numeric::sin(turn) * axis.cross(director));
 }
 
 RodContact tip_contact(const Model& m, State& s) {
@@ -96,10 +93,10 @@ RodContact tip_contact(const Model& m, State& s) {
   c.point = {m.rod.edges - 1, 1.0};
   c.axis = tip_axis(m, s);
   c.slider = tip_slider(m, s);
-  const Vec3 gap = s.needle.rod.position.back() - channel_end_now(m, s) - s.needle.tip_offset;
+  const Vec3 cuts_at =
+      s.needle.rod.position.back() + (s.channel_depth > 0.0 ? point_from_tip(m, s) : Vec3(Vec3::Zero()));
   c.lateral = tip_hold(m, s);
-  c.lateral_elongation = across(gap, c.axis);
-  c.push = bevel_push(m, s, c.slider, c.axis);
+  c.lateral_elongation = across(cuts_at - channel_end_now(m, s) - s.needle.tip_offset, c.axis);
   return c;
 }
 
@@ -151,7 +148,7 @@ void take_branch(RodContact& c) {
   const coupling::LinearForce f = coupling::force_on(c.slider, c.grip);
   const Mat3 along = c.axis * c.axis.transpose();
   c.stiffness = f.rate * along + c.lateral * (Mat3::Identity() - along);
-  c.force = c.push - f.constant * c.axis - c.lateral * c.lateral_elongation;
+  c.force = -f.constant * c.axis - c.lateral * c.lateral_elongation;
 }
 
 double stored(const RodContact& c, double along, const Vec3& sideways) {
@@ -249,7 +246,7 @@ Vec3 tissue_rate(const State& s, const RodContact& c) { return coupling::mean(*c
 
 Vec3 contact_load(const RodContact& c, const Vec3& way) {
   return coupling::advance(c.slider, way.dot(c.axis)).force * c.axis +
-         c.lateral * (c.lateral_elongation + across(way, c.axis)) - c.push;
+         c.lateral * (c.lateral_elongation + across(way, c.axis));
 }
 
 bool correct_grips(const Model& m, const State& s, Scratch& w) {
@@ -277,8 +274,7 @@ coupling::NeedleSlide slide_rod(const Model& m, State& s, const Scratch& w) {
     energy += stored(c, step.elongation, c.lateral_elongation + sideways);
     *c.elongation = step.elongation;
     if (&c == &w.rod.contacts.front()) {
-      s.ledger.work_cutting +=
-          step.dissipated - c.push.dot(way);  // what a bevel pushes with, it does not cut with
+      s.ledger.work_cutting += step.dissipated;
       all.tip = step;
     } else {
       s.ledger.work_friction += step.dissipated;
@@ -292,19 +288,26 @@ coupling::NeedleSlide slide_rod(const Model& m, State& s, const Scratch& w) {
 bool cut_along_tip(const Model& m, State& s, double slip) {
   if (slip <= 0.0 || s.through || m.rigid()) return false;
   RodNeedle& n = s.needle;
-  if (s.channel_depth == 0.0) {  // the cut begins under the tip, wherever it touched
-    n.channel_end += n.tip_offset;
+  const Vec3 point = point_from_tip(m, s);
+  if (s.channel_depth == 0.0) {  // the cut begins under the point, wherever it touched
+    n.channel_end += n.tip_offset + point;
     n.tip_offset.setZero();
   }
   const auto held = m.locator->locate(n.channel_end, m.scene.contact.contact_radius);
   const Vec3 axis = tangent_at(s, m.rod.edges - 1);
   const Mat3 F =
       held ? tissue::deformation_gradient(m.tissue, s.position, held->tet) : Mat3(Mat3::Identity());
-  const Vec3 way = F.determinant() > 0.01 ? Vec3(F.inverse() * axis) : axis;
+  const Vec3 from = channel_end_now(m, s);
+  const Vec3 to_point = n.rod.position.back() + point - from;
+  // A tip without a side parts the tissue ahead of it. What the point of a bevel cuts ends where the point
+  // is: ahead by the slip, and aside, but at no steep angle to the needle.
+  constexpr double steepest = 0.2;
+  const Vec3 aside = m.point_aside > 0.0 ? across(to_point, axis) : Vec3(Vec3::Zero());
+  const Vec3 ahead = axis + aside / std::max(slip, aside.norm() / steepest);
+  const Vec3 way = F.determinant() > 0.01 ? Vec3(F.inverse() * ahead) : ahead;
   const Vec3 direction = way.normalized();
   // Where the spring's end must be: what an earlier step left behind is made up for.
-  const double wanted = axis.dot(s.needle.rod.position.back() - channel_end_now(m, s)) - s.tip_elongation;
-  const Vec3 from = channel_end_now(m, s);
+  const double wanted = axis.dot(to_point) - s.tip_elongation;
   const double first_try = slip * std::clamp(way.norm(), 0.2, 5.0);
   const Vec3 begin = n.channel_end;
   n.channel_end = begin + first_try * direction;
@@ -318,6 +321,10 @@ bool cut_along_tip(const Model& m, State& s, double slip) {
   n.channel_end = begin + advance * direction;
   attach_disc_into(s.tip, m, n.channel_end, direction);
   s.channel_depth += advance;
+  // The shaft will come to lie in it with this energy, out of what the tip has spent.
+  const double spread = spreading_force(m, s) * advance;
+  s.ledger.work_cutting -= spread;
+  s.ledger.work_numerical += spread;
   while (n.channel.cells() * coupling::channel_cell < s.channel_depth && n.channel.cells() < m.most_cells())
     add_cell(m, s, direction);
   const double beyond = (n.channel_end - m.path.entry).dot(m.path.direction) - m.path.length;

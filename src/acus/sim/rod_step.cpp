@@ -107,7 +107,9 @@ void advance_rod(const Model& m, State& s, Scratch& w, const needle::Pose& hub, 
   ++s.steps;
   const Vec3& along = m.path.direction;
   s.hub_travel = along.dot(s.needle.rod.position[0] - m.path.entry) + m.needle.length;
-  s.tip_position = along.dot(s.needle.rod.position.back() - m.path.entry);
+  const Vec3 tip_from_entry = s.needle.rod.position.back() - m.path.entry;
+  s.tip_position = along.dot(tip_from_entry);
+  observed.tip_aside = along.cross(tip_from_entry).norm();
   const RodPlace place = place_rod(m, s);
   observed.hand_force = solved.hub_force.dot(along);
   observed.inserted_length = place.inserted_length;

@@ -98,7 +98,7 @@ std::vector<SceneKey> contact_keys() {
       {"contact.stiffness_N_m", NumberField{ACUS_AT(contact.stiffness), one, {1.0, 1e9}},
        "spring between needle and tissue, k of Eq. 8"},
       {"contact.bevel_share", NumberField{ACUS_AT(contact.bevel_share), one, {0.0, 1.0}},
-       "of the tip force that the face of a bevel takes, and its edge does not"},
+       "how far from the axis the point of a bevel cuts, as a share of radius cos(bevel), its geometry's"},
       {"contact.coupling", ACUS_CHOICE(contact.coupling, "embedded", "nearest_node"),
        "embedded acts inside the tetrahedra and converges; nearest_node is the paper's Eq. 8-9"},
   };

@@ -52,6 +52,7 @@ void show(const Model& m, State& s, const Observed& o, Frame& frame, std::vector
   frame.tip_force = o.tip_force;
   frame.shaft_force = o.shaft_force;
   frame.tip_depth = s.tip_position;
+  frame.tip_aside = o.tip_aside;
   frame.inserted_length = o.inserted_length;
   frame.free_length = o.free_length;
   frame.critical_load = o.critical_load;

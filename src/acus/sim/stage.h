@@ -29,6 +29,7 @@ struct Observed {
   double inserted_length = 0.0;  // m
   double free_length = 0.0;      // m
   double bow = 0.0;              // m
+  double tip_aside = 0.0;        // m
   double critical_load = 0.0;    // N
   Bent bent = Bent::no;
   bool ruptured_now = false;

@@ -16,11 +16,17 @@ needle::Pose hub_pose(const Model& m, double travel) {
   return {m.path.entry + (travel - m.needle.length) * along, along, director};
 }
 
+double spreading_force(const Model& m, const State& s) {
+  const int cells = s.needle.channel.cells();
+  return cells > 0 ? 0.5 * s.needle.cell_lateral[cells - 1] * m.point_aside * m.point_aside : 0.0;
+}
+
 coupling::Slider tip_slider(const Model& m, const State& s) {
   const double unbreakable = std::numeric_limits<double>::infinity();
   if (m.rigid()) return {m.scene.contact.stiffness, s.tip_elongation, 0.0, unbreakable, true};
   const double stiffness = s.through ? 0.0 : m.scene.contact.stiffness;
-  const double limit = s.through ? 0.0 : s.punctured ? m.cutting_force : m.scene.contact.rupture_force;
+  const double cutting = std::max(m.cutting_force, spreading_force(m, s));
+  const double limit = s.through ? 0.0 : s.punctured ? cutting : m.scene.contact.rupture_force;
   return {stiffness, s.tip_elongation, 0.0, limit, true};
 }
 

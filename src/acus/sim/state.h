@@ -52,6 +52,10 @@ struct State {
 // The hub of a hand that goes straight along the path: `travel` [m] from first touch.
 needle::Pose hub_pose(const Model& model, double travel);
 
+// N, of what a cut beside the axis spreads the tissue with: the energy per length of a channel whose shaft
+// lies beside it.
+double spreading_force(const Model& model, const State& state);
+
 // The tip against the channel's end: rupture before the puncture, cutting after it, nothing beyond the far
 // side. Against a stop there is no puncture.
 coupling::Slider tip_slider(const Model& model, const State& state);

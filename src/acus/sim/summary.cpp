@@ -25,6 +25,7 @@ void add(Summary& summary, const Frame& frame, std::span<const Event> events) {
   summary.peak_tip_force = std::max(summary.peak_tip_force, frame.tip_force);
   summary.peak_deflection = std::max(summary.peak_deflection, frame.deflection);
   summary.peak_tip_depth = std::max(summary.peak_tip_depth, frame.tip_depth);
+  summary.peak_tip_aside = std::max(summary.peak_tip_aside, frame.tip_aside);
   summary.peak_energy_force_gap =
       std::max(summary.peak_energy_force_gap, std::abs(frame.energy_force - frame.hand_force));
   if (!summary.rupture_force && first(EventKind::puncture, events) != nullptr)

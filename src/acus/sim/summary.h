@@ -20,6 +20,7 @@ struct Summary {
   double peak_tip_force = 0.0;          // N
   double peak_deflection = 0.0;         // m
   double peak_tip_depth = 0.0;          // m
+  double peak_tip_aside = 0.0;          // m
   double peak_energy_force_gap = 0.0;   // N, largest |energy_force - hand_force|
   std::optional<double> rupture_force;  // N, largest tip force up to the first puncture
   double peak_work_hand = 0.0;  // J, largest work of the hand so far: what the residual is compared with

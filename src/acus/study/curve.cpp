@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "acus/base/vec.h"
+
 namespace acus::study {
 namespace {
 
@@ -51,6 +53,36 @@ double value_at(std::span<const double> xs, std::span<const double> ys, double x
   if (after == xs.size()) return ys.back();
   const double share = (x - xs[after - 1]) / (xs[after] - xs[after - 1]);
   return ys[after - 1] + share * (ys[after] - ys[after - 1]);
+}
+
+std::optional<Circle> circle_through(std::span<const Point2> points) {
+  if (points.size() < 3) return std::nullopt;
+  // About the first point and by the distance of the last, so that the three sums are of one size.
+  const Point2 origin = points.front();
+  const double size = std::hypot(points.back()[0] - origin[0], points.back()[1] - origin[1]);
+  if (!(size > 0.0)) return std::nullopt;
+  Mat3 normal = Mat3::Zero();
+  Vec3 right = Vec3::Zero();
+  const auto row_of = [&](const Point2& p) {
+    return Vec3((p[0] - origin[0]) / size, (p[1] - origin[1]) / size, 1.0);
+  };
+  for (const Point2& p : points) {
+    const Vec3 row = row_of(p);
+    normal += row * row.transpose();
+    right += row.head<2>().squaredNorm() * row;
+  }
+  constexpr double straight = 1e-15;  // of the determinant of points that lie on a line
+  const double count = static_cast<double>(points.size());
+  if (!(normal.determinant() > straight * count * count * count)) return std::nullopt;
+  const Vec3 fitted = normal.inverse() * right;
+  const double x = 0.5 * fitted.x(), y = 0.5 * fitted.y();
+  const double radius = std::sqrt(fitted.z() + x * x + y * y);
+  double sum = 0.0;
+  for (const Point2& p : points) {
+    const Vec3 row = row_of(p);
+    sum += std::pow(std::hypot(row.x() - x, row.y() - y) - radius, 2);
+  }
+  return Circle{1.0 / (radius * size), size * std::sqrt(sum / count)};
 }
 
 }  // namespace acus::study

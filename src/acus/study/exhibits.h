@@ -21,6 +21,7 @@ void show_shapes(Page& page, const GroupRecords& group);       // Eq. 11 against
 void show_coupling(Page& page, const GroupRecords& group);     // Eq. 8 as printed against ours
 void show_convergence(Page& page, const GroupRecords& group);  // force under mesh refinement
 void show_felt(Page& page, const GroupRecords& group);         // force and travel over time
+void show_track(Page& page, const GroupRecords& group);        // where the tip went
 void show_map(Page& page, const GroupRecords& group);          // outcome over two keys
 // Where the paper contradicts itself, and what these groups of runs do not show.
 void show_contradictions(Page& page, const std::vector<GroupRecords>& groups);

@@ -34,6 +34,8 @@ void show(Page& page, Exhibit exhibit, const GroupRecords& group) {
       return show_convergence(page, group);
     case Exhibit::felt:
       return show_felt(page, group);
+    case Exhibit::track:
+      return show_track(page, group);
     case Exhibit::map:
       return show_map(page, group);
   }

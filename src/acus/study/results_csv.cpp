@@ -71,6 +71,7 @@ const Field fields[] = {
     ACUS_SUMMARY("peak_tip_force_N", "/peak_tip_force_N"),
     ACUS_SUMMARY("peak_deflection_m", "/peak_deflection_m"),
     ACUS_SUMMARY("peak_tip_depth_m", "/peak_tip_depth_m"),
+    ACUS_SUMMARY("peak_tip_aside_m", "/peak_tip_aside_m"),
     ACUS_SUMMARY("work_hand_J", "/energy/work_hand_J"),
     ACUS_SUMMARY("relative_energy_residual", "/energy/relative_residual"),
     ACUS_SUMMARY("peak_energy_force_gap_N", "/peak_energy_force_gap_N"),

@@ -11,7 +11,7 @@
 namespace acus::view {
 
 inline constexpr std::uint32_t frame_mark = 0x46434131;  // "1ACF" in memory
-inline constexpr int frame_numbers = 31;                 // the columns of a trace
+inline constexpr int frame_numbers = 32;                 // the columns of a trace
 inline constexpr int frame_head = 16;                    // bytes before them
 inline constexpr int needle_points = 121;
 

@@ -1,5 +1,7 @@
 // What can be chosen on the page: a control a scene key, with its range, and presets with their sources.
 
+import needles from './needles.json'; // the engine's table, printed by `acus check --needles`
+
 export interface Control {
   key: string;
   label: string;
@@ -31,41 +33,20 @@ export const contactControls: Control[] = [
   { key: 'contact.friction_N_m', label: 'Friction', unit: 'N/m', least: 0, most: 200, step: 1, digits: 0, help: 'dry friction per inserted length' },
 ];
 
-// Hypodermic tube, regular wall: nominal outer and inner diameter, mm, of the needle gauge comparison chart (after the
-// Birmingham wire gauge; ISO 9626 rounds them to metric sizes).
-const tubes: [gauge: number, outer: number, inner: number][] = [
-  [14, 2.108, 1.6],
-  [16, 1.651, 1.194],
-  [17, 1.473, 1.067],
-  [18, 1.27, 0.838],
-  [19, 1.067, 0.686],
-  [20, 0.9081, 0.603],
-  [21, 0.8192, 0.514],
-  [22, 0.7176, 0.413],
-  [23, 0.6414, 0.337],
-  [24, 0.5652, 0.311],
-  [25, 0.5144, 0.26],
-  [26, 0.4636, 0.26],
-  [27, 0.4128, 0.21],
-  [28, 0.362, 0.184],
-  [29, 0.3366, 0.184],
-  [30, 0.3112, 0.159],
-];
 export const gauges: Preset[] = [
   { words: 'paper’s, 0.6 mm', settings: { 'needle.radius_mm': 0.3, 'needle.inner_radius_mm': 0 }, source: 'Table I, solid; 23 to 24 G outside' },
-  ...tubes.map(([gauge, outer, inner]) => ({
-    words: `${gauge} G, ${outer.toFixed(2)} mm`,
+  ...needles.gauges.map(({ name, outer_diameter_mm: outer, inner_diameter_mm: inner }) => ({
+    words: `${name.replace('G', ' G')}, ${outer.toFixed(2)} mm`,
     settings: { 'needle.radius_mm': outer / 2, 'needle.inner_radius_mm': inner / 2 },
     source: `tube with a bore of ${inner.toFixed(2)} mm; needle gauge chart, regular wall`,
   })),
 ];
 
-export const materials: Preset[] = [
-  { words: 'Steel, 200 GPa', settings: { 'needle.youngs_modulus_GPa': 200, 'needle.density_kg_m3': 7850 }, source: 'the paper’s Table I' },
-  { words: 'Titanium alloy, 114 GPa', settings: { 'needle.youngs_modulus_GPa': 114, 'needle.density_kg_m3': 4430 }, source: 'Ti-6Al-4V, ASM handbook value' },
-  { words: 'Nitinol, 75 GPa', settings: { 'needle.youngs_modulus_GPa': 75, 'needle.density_kg_m3': 6450 }, source: 'austenite, linear here' },
-  { words: 'PEEK, 3.6 GPa', settings: { 'needle.youngs_modulus_GPa': 3.6, 'needle.density_kg_m3': 1300 }, source: 'unfilled polymer, data-sheet value' },
-];
+export const materials: Preset[] = needles.materials.map((one) => ({
+  words: `${one.words}, ${one.youngs_modulus_GPa} GPa`,
+  settings: { 'needle.youngs_modulus_GPa': one.youngs_modulus_GPa, 'needle.density_kg_m3': one.density_kg_m3 },
+  source: one.source.replace("'", '’'),
+}));
 
 // A column's tip has no side.
 export const models: Preset[] = [

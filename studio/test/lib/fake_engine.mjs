@@ -47,7 +47,7 @@ export function rowAt(travel, time) {
     inserted_length_m: 0, free_length_m: length, critical_load_N: 0.642, deflection_m: buckled ? Math.sqrt(travel * length) * 0.6 : 5e-5,
     stage: travel <= 0 ? 0 : buckled ? 2 : 1, work_hand_J: force * travel, energy_tissue_J: 0.3 * force * travel, energy_needle_J: 0.7 * force * travel,
     energy_kinetic_J: 0, work_cutting_J: 0, work_friction_J: 0, work_damping_J: 0, work_numerical_J: 0, energy_residual_J: 1.23e-9,
-    solver_iterations: 12, energy_contact_J: 0, work_snap_J: 0, work_relaxation_J: 0, shaft_force_N: 0,
+    solver_iterations: 12, energy_contact_J: 0, work_snap_J: 0, work_relaxation_J: 0, tip_aside_m: 0, shaft_force_N: 0,
     hub_force_x_N: 0, hub_force_y_N: 0, hub_force_z_N: 0, hub_moment_x_Nm: 0, hub_moment_y_Nm: 0, hub_moment_z_Nm: 0,
   };
 }
@@ -55,16 +55,16 @@ export function rowAt(travel, time) {
 function frameAt(row, events) {
   const points = 61;
   const count = nodes.length / 3;
-  const bytes = new ArrayBuffer(216 + 12 * points + 16 * count);
+  const bytes = new ArrayBuffer(224 + 12 * points + 16 * count);
   new Uint32Array(bytes, 0, 4).set([0x46434131, points, count, events]);
-  new Float64Array(bytes, 16, 25).set(Object.values(row));
-  const needle = new Float32Array(bytes, 216, 3 * points);
+  new Float64Array(bytes, 16, 26).set(Object.values(row));
+  const needle = new Float32Array(bytes, 224, 3 * points);
   for (let i = 0; i < points; ++i) {
     const s = i / (points - 1);
     needle.set([row.deflection_m * Math.sin(Math.PI * s), 0, 0.06 + (1 - s) * (length - row.hand_travel_m) - s * row.tip_depth_m], 3 * i);
   }
-  new Float32Array(bytes, 216 + 12 * points, 3 * count).set(nodes);
-  new Float32Array(bytes, 216 + 12 * (points + count), count).fill(4e3);
+  new Float32Array(bytes, 224 + 12 * points, 3 * count).set(nodes);
+  new Float32Array(bytes, 224 + 12 * (points + count), count).fill(4e3);
   return Buffer.from(bytes);
 }
 

@@ -228,7 +228,7 @@ TEST(SceneToml, a_gauge_and_a_material_stand_for_their_numbers) {
 
 TEST(SceneToml, a_gauge_beside_a_radius_is_refused_in_one_sentence) {
   const std::string both = "needle.gauge sets needle.radius_mm, which is given too; remove one of the two";
-  EXPECT_EQ(refusal("[needle]\ngauge = \"22G\"\nradius_mm = 0.3"), "scene.toml:3:1: " + both);
+  EXPECT_EQ(refusal("[needle]\ngauge = \"22G\"\nradius_mm = 0.3"), "scene.toml:3:13: " + both);
   const auto set = with_settings(Scene{}, {"needle.radius_mm=0.3", "needle.gauge=22G"});
   ASSERT_FALSE(set.ok());
   EXPECT_EQ(set.error().sentence, "--set needle.gauge=22G: " + both);

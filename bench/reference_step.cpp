@@ -168,4 +168,8 @@ double ReferenceStep::residual() const {
   return (right_hand_side_ - matrix_ * velocity_).norm() / right_hand_side_.norm();
 }
 
+double ReferenceStep::residual_of_load() const {
+  return (right_hand_side_ - matrix_ * velocity_).norm() / (step * load);
+}
+
 }  // namespace acus::bench

@@ -24,8 +24,9 @@ class ReferenceStep {
 
   void advance();
 
-  // |b - A v| / |b| of the last step. Not part of the step's cost.
+  // Of the last step, not part of its cost: |b - A v| / |b|, and |b - A v| / h per newton of the load.
   double residual() const;
+  double residual_of_load() const;
   int tetrahedra() const { return static_cast<int>(mesh_.tets.size()); }
   int nodes() const { return static_cast<int>(mesh_.nodes.size()); }
 

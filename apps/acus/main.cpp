@@ -102,6 +102,8 @@ void add_bench(CLI::App& program, Work& work) {
   verb->add_option("--steps", options->steps, "steps measured for each size")
       ->check(CLI::Range(1, most_steps))
       ->capture_default_str();
+  verb->add_flag("--by-load", options->by_load,
+                 "solve to the reference's residual per newton of the load, not to that per |b|");
   verb->add_flag("--json", options->json, "print one JSON object and nothing else");
   verb->callback([options, &work] { work = [options] { return do_bench(*options); }; });
 }

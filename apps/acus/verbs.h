@@ -45,6 +45,7 @@ int do_check(const CheckOptions& options);
 struct BenchOptions {
   std::vector<int> sizes = {1000, 3000, 10000, 40000};  // tetrahedra
   int steps = 100;
+  bool by_load = false;
   bool json = false;
 };
 int do_bench(const BenchOptions& options);

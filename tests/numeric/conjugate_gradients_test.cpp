@@ -31,8 +31,8 @@ struct System {
       for (int j = 0; j < 3 * nodes; ++j) A(place(i), place(j)) = inner(i, j);
     }
   }
-  CgOutcome solve(NodeVector& x, double target, int max_iterations) const {
-    CgScratch<double> scratch(nodes);
+  SolveOutcome solve(NodeVector& x, double target, int max_iterations) const {
+    SolveScratch<double> scratch(nodes);
     return solve_into(
         x, b, target, max_iterations, scratch,
         [&](NodeVector& y, const NodeVector& p) {
@@ -52,7 +52,7 @@ TEST(ConjugateGradients, find_the_dense_solution_from_any_start) {
   for (double start : {0.0, 3.0}) {
     NodeVector x(size, start);
     for (int i = 0; i < nodes; ++i) x[node_stride * i + 3] = 0.0;
-    const CgOutcome outcome = system.solve(x, 1e-10, 500);
+    const SolveOutcome outcome = system.solve(x, 1e-10, 500);
     EXPECT_FALSE(outcome.broke_down);
     const Eigen::VectorXd expected = testing::solve_positive(system.A, dense(system.b));
     EXPECT_LT((dense(x) - expected).norm(), 1e-9 * expected.norm());
@@ -63,10 +63,23 @@ TEST(ConjugateGradients, true_residual_meets_the_target) {
   const System system(spread(1.0, 1e3));
   for (double target : {1e-2, 1e-5, 1e-9}) {
     NodeVector x(size, 0.0);
-    const CgOutcome outcome = system.solve(x, target, 500);
+    const SolveOutcome outcome = system.solve(x, target, 500);
     const double residual = (dense(system.b) - system.A * dense(x)).norm();
     EXPECT_LT(residual, 1.01 * target);
     EXPECT_NEAR(outcome.residual_norm, residual, 0.01 * target);
+  }
+}
+
+// Without smoothing the residual of this system rises to four times its start.
+TEST(ConjugateGradients, never_leave_a_larger_residual_than_before) {
+  const System system(spread(1.0, 1e5));
+  double before = dense(system.b).norm();
+  for (int iterations = 1; iterations < 40; ++iterations) {
+    NodeVector x(size, 0.0);
+    system.solve(x, 1e-12, iterations);
+    const double residual = (dense(system.b) - system.A * dense(x)).norm();
+    EXPECT_LE(residual, before * (1.0 + 1e-9)) << iterations;
+    before = residual;
   }
 }
 
@@ -82,7 +95,7 @@ TEST(ConjugateGradients, report_breakdown_on_an_indefinite_matrix) {
   values.head(10) *= -1.0;
   const System system(values);
   NodeVector x(size, 0.0);
-  const CgOutcome outcome = system.solve(x, 1e-10, 500);
+  const SolveOutcome outcome = system.solve(x, 1e-10, 500);
   EXPECT_TRUE(outcome.broke_down);
   for (double value : x) EXPECT_TRUE(std::isfinite(value));
 }
@@ -97,7 +110,7 @@ TEST(ConjugateGradients, report_breakdown_on_numbers_that_are_none) {
 TEST(ConjugateGradients, stop_at_the_largest_count_and_say_what_is_left) {
   const System system(spread(1.0, 1e6));
   NodeVector x(size, 0.0);
-  const CgOutcome outcome = system.solve(x, 1e-12, 3);
+  const SolveOutcome outcome = system.solve(x, 1e-12, 3);
   EXPECT_EQ(outcome.iterations, 3);
   EXPECT_FALSE(outcome.broke_down);
   EXPECT_NEAR(outcome.residual_norm, (dense(system.b) - system.A * dense(x)).norm(), 1e-9);
@@ -107,7 +120,7 @@ TEST(ConjugateGradients, return_at_once_for_nothing_to_solve) {
   System system(spread(1.0, 10.0));
   std::fill(system.b.begin(), system.b.end(), 0.0);
   NodeVector x(size, 0.0);
-  const CgOutcome outcome = system.solve(x, 0.0, 500);
+  const SolveOutcome outcome = system.solve(x, 0.0, 500);
   EXPECT_EQ(outcome.iterations, 0);
   EXPECT_FALSE(outcome.broke_down);
   EXPECT_EQ(system.products, 1);

@@ -128,7 +128,7 @@ class BareTissue {
     iterations = outcome.iterations;
     EXPECT_LE(outcome.residual_norm, relative_residual * norm);
   }
-  numeric::CgScratch<double> scratch_;
+  numeric::SolveScratch<double> scratch_;
 };
 
 // The same test for the paper's element and for the one that does not lock.

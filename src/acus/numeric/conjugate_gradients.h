@@ -1,4 +1,9 @@
-// Preconditioned conjugate gradients (Hestenes and Stiefel 1952) for symmetric positive definite systems.
+// Preconditioned conjugate gradients (Hestenes and Stiefel 1952) for symmetric positive definite systems,
+// with the residual smoothed (Schoenauer 1987; Weiss 1994).
+//
+// Conjugate gradients make the energy of the error least, and on the way the residual may rise to many times
+// its start, most of all from a start that is nearly right. The residual is what a solve ends by; so of each
+// iterate and the best so far the mean is kept whose residual is least.
 #pragma once
 
 #include <cmath>
@@ -8,36 +13,38 @@
 namespace acus::numeric {
 
 template <class Real>
-struct CgScratch {
-  NodeVectorOf<Real> residual, direction, product, preconditioned;
-  explicit CgScratch(int nodes = 0) {
-    for (NodeVectorOf<Real>* v : {&residual, &direction, &product, &preconditioned})
+struct SolveScratch {
+  NodeVectorOf<Real> residual;                   // the smoothed one
+  NodeVectorOf<Real> iterate, iterate_residual;  // of conjugate gradients
+  NodeVectorOf<Real> direction, product, preconditioned;
+  explicit SolveScratch(int nodes = 0) {
+    for (NodeVectorOf<Real>* v :
+         {&residual, &iterate, &iterate_residual, &direction, &product, &preconditioned})
       v->assign(static_cast<std::size_t>(node_stride) * nodes, Real{});
   }
 };
 
-struct CgOutcome {
+struct SolveOutcome {
   int iterations = 0;
   double residual_norm = 0.0;  // by recursion
   bool broke_down = false;     // a direction with p^T A p <= 0, or a number that is not finite
 };
 
-// Solves A x = b from the start value in x until |b - A x| <= `target` or `max_iterations`.
+// Improves x until |b - A x| <= `target` or `max_iterations`; b - A x stands in `s.residual` and ends there.
 // multiply(y, p) writes y = A p; precondition(z, r) writes z ~ A^-1 r with a symmetric positive definite
 // operator.
 template <class Real, class Multiply, class Precondition>
-CgOutcome solve_into(NodeVectorOf<Real>& x, const NodeVectorOf<Real>& b, double target, int max_iterations,
-                     CgScratch<Real>& s, const Multiply& multiply, const Precondition& precondition) {
-  CgOutcome outcome;
-  multiply(s.product, x);
-  s.residual = b;
-  add_scaled_into(s.residual, -1.0, s.product);
-  double rr = dot(s.residual, s.residual);
-  double rz_before = 0.0;
+SolveOutcome improve_into(NodeVectorOf<Real>& x, double target, int max_iterations, SolveScratch<Real>& s,
+                          const Multiply& multiply, const Precondition& precondition) {
+  SolveOutcome outcome;
   const double target_squared = target * target;
-  while (rr > target_squared && outcome.iterations < max_iterations) {
-    precondition(s.preconditioned, s.residual);
-    const double rz = dot(s.residual, s.preconditioned);
+  double least = dot(s.residual, s.residual);
+  double rz_before = 0.0;
+  s.iterate = x;
+  s.iterate_residual = s.residual;
+  while (least > target_squared && outcome.iterations < max_iterations) {
+    precondition(s.preconditioned, s.iterate_residual);
+    const double rz = dot(s.iterate_residual, s.preconditioned);
     if (outcome.iterations == 0)
       s.direction = s.preconditioned;
     else
@@ -46,13 +53,27 @@ CgOutcome solve_into(NodeVectorOf<Real>& x, const NodeVectorOf<Real>& b, double 
     multiply(s.product, s.direction);
     const double curvature = dot(s.direction, s.product);
     if (!(curvature > 0.0)) break;
-    const double step = rz / curvature;
-    rr = advance_into(x, s.residual, step, s.direction, s.product);
+    const double rr = advance_into(s.iterate, s.iterate_residual, rz / curvature, s.direction, s.product);
     ++outcome.iterations;
+    // The share of the iterate at which the mean residual is least.
+    const double mixed = dot(s.residual, s.iterate_residual);
+    const double apart = rr - 2.0 * mixed + least;  // square of the distance of the two residuals
+    if (!(apart > 0.0)) break;
+    least = approach_into(x, s.residual, (least - mixed) / apart, s.iterate, s.iterate_residual);
   }
-  outcome.residual_norm = std::sqrt(rr);
-  outcome.broke_down = !(rr <= target_squared) && outcome.iterations < max_iterations;
+  outcome.residual_norm = std::sqrt(least);
+  outcome.broke_down = !(least <= target_squared) && outcome.iterations < max_iterations;
   return outcome;
+}
+
+// Solves A x = b from the start value in x.
+template <class Real, class Multiply, class Precondition>
+SolveOutcome solve_into(NodeVectorOf<Real>& x, const NodeVectorOf<Real>& b, double target, int max_iterations,
+                        SolveScratch<Real>& s, const Multiply& multiply, const Precondition& precondition) {
+  multiply(s.product, x);
+  s.residual = b;
+  add_scaled_into(s.residual, -1.0, s.product);
+  return improve_into(x, target, max_iterations, s, multiply, precondition);
 }
 
 }  // namespace acus::numeric

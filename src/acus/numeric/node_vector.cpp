@@ -62,6 +62,15 @@ ACUS_INLINE double advance_both(std::span<Real> x, std::span<Real> residual, dou
   return sum_of_products(std::span<const Real>(residual), std::span<const Real>(residual));
 }
 
+template <class Real>
+ACUS_INLINE double approach_both(std::span<Real> x, std::span<Real> residual, double share,
+                                 std::span<const Real> other, std::span<const Real> other_residual) {
+  const Real f = static_cast<Real>(share);
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] += f * (other[i] - x[i]);
+  for (std::size_t i = 0; i < x.size(); ++i) residual[i] += f * (other_residual[i] - residual[i]);
+  return sum_of_products(std::span<const Real>(residual), std::span<const Real>(residual));
+}
+
 }  // namespace
 
 ACUS_KERNEL double dot(std::span<const double> a, std::span<const double> b) { return sum_of_products(a, b); }
@@ -90,6 +99,12 @@ ACUS_KERNEL void scale_into(std::span<float> y, double factor, std::span<const d
   for (std::size_t i = 0; i < y.size(); ++i) py[i] = static_cast<float>(factor * px[i]);
 }
 
+ACUS_KERNEL void scale_into(std::span<double> y, double factor, std::span<const float> x) {
+  double* py = y.data();
+  const float* px = x.data();
+  for (std::size_t i = 0; i < y.size(); ++i) py[i] = factor * static_cast<double>(px[i]);
+}
+
 ACUS_KERNEL void multiply_diagonal_into(std::span<float> y, std::span<const float> diagonal,
                                         std::span<const float> x) {
   float* py = y.data();
@@ -105,6 +120,15 @@ ACUS_KERNEL double advance_into(std::span<double> x, std::span<double> residual,
 ACUS_KERNEL double advance_into(std::span<float> x, std::span<float> residual, double step,
                                 std::span<const float> direction, std::span<const float> product) {
   return advance_both(x, residual, step, direction, product);
+}
+
+ACUS_KERNEL double approach_into(std::span<double> x, std::span<double> residual, double share,
+                                 std::span<const double> other, std::span<const double> other_residual) {
+  return approach_both(x, residual, share, other, other_residual);
+}
+ACUS_KERNEL double approach_into(std::span<float> x, std::span<float> residual, double share,
+                                 std::span<const float> other, std::span<const float> other_residual) {
+  return approach_both(x, residual, share, other, other_residual);
 }
 
 }  // namespace acus::numeric

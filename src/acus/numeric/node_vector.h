@@ -35,6 +35,7 @@ void scale_and_add_into(std::span<double> y, double factor, std::span<const doub
 void scale_and_add_into(std::span<float> y, double factor, std::span<const float> x);
 // y = factor x
 void scale_into(std::span<float> y, double factor, std::span<const double> x);
+void scale_into(std::span<double> y, double factor, std::span<const float> x);
 // y = D x for a diagonal of one number per node.
 void multiply_diagonal_into(std::span<float> y, std::span<const float> diagonal, std::span<const float> x);
 // x += step direction, residual -= step product; returns the square of the residual's norm.
@@ -42,5 +43,10 @@ double advance_into(std::span<double> x, std::span<double> residual, double step
                     std::span<const double> direction, std::span<const double> product);
 double advance_into(std::span<float> x, std::span<float> residual, double step,
                     std::span<const float> direction, std::span<const float> product);
+// x += share (other - x), residual likewise; returns the square of the residual's norm.
+double approach_into(std::span<double> x, std::span<double> residual, double share,
+                     std::span<const double> other, std::span<const double> other_residual);
+double approach_into(std::span<float> x, std::span<float> residual, double share,
+                     std::span<const float> other, std::span<const float> other_residual);
 
 }  // namespace acus::numeric

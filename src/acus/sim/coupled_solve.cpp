@@ -17,15 +17,16 @@ constexpr int max_iterations = 4000;       // of one conjugate-gradient solve
 constexpr double rate_resolution = 1e-12;  // m/s: slower is at rest
 constexpr double finest_influence = 1e-5;  // relative residual of y: floats go no further
 
-// y += h sum over sticking points of rate_j h W_j^T a (W_j a . x): their springs act within the step.
+// y += times h sum over sticking points of rate_j h W_j^T a (W_j a . x): their springs act within the step.
 template <class Real>
 void add_sticks(numeric::NodeVectorOf<Real>& y, const Model& m, const Scratch& w,
-                const numeric::NodeVectorOf<Real>& x) {
+                const numeric::NodeVectorOf<Real>& x, double times = 1.0) {
   const double h = m.scene.run.time_step;
   for (const HeldPoint& p : w.held) {
     if (p.grip != Grip::stick) continue;
     const double rate = coupling::force_on(p.slider, p.grip).rate * h * h;
-    coupling::add_along(y, *p.at, rate * coupling::along(*p.at, x, m.path.direction), m.path.direction);
+    coupling::add_along(y, *p.at, times * rate * coupling::along(*p.at, x, m.path.direction),
+                        m.path.direction);
   }
 }
 
@@ -44,11 +45,12 @@ struct Product {
 };
 
 // Single precision will do for y, which carries small corrections only; what it leaves a pass checks.
-numeric::CgOutcome solve_influence(numeric::NodeVectorOf<float>& y, const Model& m, Scratch& w,
-                                   double tolerance) {
+numeric::SolveOutcome solve_influence(numeric::NodeVectorOf<float>& y, const Model& m, Scratch& w,
+                                      double tolerance) {
   const double norm = std::sqrt(numeric::dot(w.stick_load, w.stick_load));
   if (norm == 0.0) {  // everything slips: the tissue does not feel the needle's rate
     std::fill(y.begin(), y.end(), 0.0F);
+    std::fill(w.solver.single.residual.begin(), w.solver.single.residual.end(), 0.0F);
     return {};
   }
   return numeric::solve_into(y, w.stick_load, tolerance * norm, max_iterations, w.solver.single,
@@ -112,15 +114,49 @@ bool correct_grips(const Model& m, const State& s, Scratch& w, double rate) {
   return changed;
 }
 
-void load_right_hand_side(const Model& m, Scratch& w, double rate) {
+// load += times what the held points do to resting tissue.
+void add_held(NodeVector& load, const Model& m, const Scratch& w, double rate, double times) {
   const double h = m.scene.run.time_step;
-  w.right_hand_side = w.momentum;
-  std::fill(w.stick_load.begin(), w.stick_load.end(), 0.0F);
   for (const HeldPoint& p : w.held) {
     const coupling::LinearForce f = coupling::force_on(p.slider, p.grip);
-    coupling::add_along(w.right_hand_side, *p.at, h * (f.constant + f.rate * h * rate), m.path.direction);
-    if (f.rate != 0.0) coupling::add_along(w.stick_load, *p.at, h * h * f.rate, m.path.direction);
+    coupling::add_along(load, *p.at, times * h * (f.constant + f.rate * h * rate), m.path.direction);
   }
+}
+
+void load_sticks(const Model& m, Scratch& w) {
+  const double h = m.scene.run.time_step;
+  std::fill(w.stick_load.begin(), w.stick_load.end(), 0.0F);
+  for (const HeldPoint& p : w.held) {
+    const double rate = coupling::force_on(p.slider, p.grip).rate;
+    if (rate != 0.0) coupling::add_along(w.stick_load, *p.at, h * h * rate, m.path.direction);
+  }
+}
+
+// The velocities at which the held points at `rate` and the tissue agree, and what they leave of the tissue's
+// own equation.
+numeric::SolveOutcome solve_tissue(const Model& m, State& s, Scratch& w, double rate, double& target) {
+  w.right_hand_side = w.momentum;
+  add_held(w.right_hand_side, m, w, rate, 1.0);
+  target = m.scene.run.solver_tolerance * std::sqrt(numeric::dot(w.right_hand_side, w.right_hand_side));
+  w.residual = w.imbalance;
+  add_held(w.residual, m, w, rate, 1.0);
+  add_sticks(w.residual, m, w, s.velocity, -1.0);
+  const numeric::SolveOutcome outcome = numeric::improve_refined_into(
+      s.velocity, w.residual, target, max_iterations, w.solver, Product{m, w}, preconditioner(m, w));
+  w.imbalance = w.residual;
+  add_held(w.imbalance, m, w, rate, -1.0);
+  add_sticks(w.imbalance, m, w, s.velocity);
+  return outcome;
+}
+
+// Lets the tissue follow a change of the needle's rate by its answer y. What is left of y's equation stands
+// in `solver`: A y = loads - sticks - that.
+void follow(const Model& m, State& s, Scratch& w, double change) {
+  numeric::add_scaled_into(s.velocity, change, s.influence);
+  numeric::NodeVectorOf<float>& product = w.solver.single.residual;
+  numeric::scale_and_add_into(product, -1.0, w.stick_load);
+  add_sticks(product, m, w, s.influence, -1.0);
+  numeric::add_scaled_into(w.imbalance, -change, product);
 }
 
 // How far to go from (velocity_tried, rate_before) towards (velocity, rate): the root in (0, 1] of the
@@ -135,10 +171,8 @@ double line_search(const Model& m, const State& s, Scratch& w, double hand_trave
   NodeVector& change = w.right_hand_side;
   change = s.velocity;
   numeric::add_scaled_into(change, -1.0, w.velocity_tried);
-  tissue::multiply_into(w.product, m.tissue, w.corotation, w.matrix, w.velocity_tried);
-  const double slope_at_start = numeric::dot(change, w.product) - numeric::dot(change, w.momentum);
-  tissue::multiply_into(w.product, m.tissue, w.corotation, w.matrix, change);
-  const double curvature = numeric::dot(change, w.product);
+  const double slope_at_start = -numeric::dot(change, w.imbalance_tried);
+  const double curvature = -slope_at_start - numeric::dot(change, w.imbalance);
   const double rate_change = rate - rate_before;
   const auto slope = [&](double t) {
     const double r = rate_before + t * rate_change;
@@ -167,7 +201,7 @@ double tissue_rate(const Model& m, const State& s, const HeldPoint& point) {
 
 double resistance(const Model& m, Scratch& w) {
   constexpr double tolerance = 1e-3;  // of y; what it leaves of the residual is put right below
-  const numeric::CgOutcome outcome = solve_influence(w.answer, m, w, tolerance);
+  const numeric::SolveOutcome outcome = solve_influence(w.answer, m, w, tolerance);
   if (outcome.broke_down || outcome.iterations >= max_iterations) return 0.0;
   // sum_j rate_j h (1 - W_j y), with b . y + r . y for b . y, whose error is of second order in that of y.
   const double h = m.scene.run.time_step;
@@ -186,12 +220,11 @@ CoupledOutcome solve_coupled(const Model& m, State& s, Scratch& w, double hand_t
   double influence_tolerance = 0.1;
   for (int pass = 0; pass < max_passes; ++pass) {
     w.velocity_tried = s.velocity;
-    load_right_hand_side(m, w, rate);
-    const double norm = std::sqrt(numeric::dot(w.right_hand_side, w.right_hand_side));
-    const double target = m.scene.run.solver_tolerance * norm;
-    const numeric::CgOutcome solve = numeric::solve_refined_into(
-        s.velocity, w.right_hand_side, target, max_iterations, w.solver, Product{m, w}, preconditioner(m, w));
-    numeric::CgOutcome answer = solve_influence(s.influence, m, w, influence_tolerance);
+    w.imbalance_tried = w.imbalance;
+    double target = 0.0;
+    const numeric::SolveOutcome solve = solve_tissue(m, s, w, rate, target);
+    load_sticks(m, w);
+    numeric::SolveOutcome answer = solve_influence(s.influence, m, w, influence_tolerance);
     outcome.iterations += solve.iterations + answer.iterations;
     Reaction reaction = gather_reaction(m, s, w, rate);
     // The tissue never follows faster than the needle goes: a y that says so is too rough.
@@ -207,12 +240,14 @@ CoupledOutcome solve_coupled(const Model& m, State& s, Scratch& w, double hand_t
 
     const double guess = rate;
     rate = balanced_rate(m, s, reaction, hand_travel, free_length, configurational_force, guess);
-    numeric::add_scaled_into(s.velocity, rate - guess, s.influence);
+    follow(m, s, w, rate - guess);
     if (correct_grips(m, s, w, rate)) {
       const double t = line_search(m, s, w, hand_travel, free_length, configurational_force, guess, rate);
       if (t < 1.0) {
         numeric::scale_and_add_into(s.velocity, t, w.velocity_tried);
         numeric::add_scaled_into(s.velocity, -t, w.velocity_tried);
+        numeric::scale_and_add_into(w.imbalance, t, w.imbalance_tried);
+        numeric::add_scaled_into(w.imbalance, -t, w.imbalance_tried);
         rate = guess + t * (rate - guess);
         correct_grips(m, s, w, rate);
       }

@@ -111,34 +111,34 @@ struct Product {
   Scratch& w;
   void operator()(NodeVector& y, const NodeVector& x) const {
     tissue::multiply_into(y, m.tissue, w.corotation, w.matrix, x);
-    add_rod(y, x);
+    add_rod(y, x, 1.0);
   }
   void operator()(numeric::NodeVectorOf<float>& y, const numeric::NodeVectorOf<float>& x) const {
     tissue::multiply_into(y, m.tissue, w.matrix, x);
-    add_rod(y, x);
+    add_rod(y, x, 1.0);
   }
   template <class Real>
-  void add_rod(numeric::NodeVectorOf<Real>& y, const numeric::NodeVectorOf<Real>& x) const {
+  void add_rod(numeric::NodeVectorOf<Real>& y, const numeric::NodeVectorOf<Real>& x, double times) const {
     const double h = m.scene.run.time_step;
     std::vector<double>& z = w.rod.load;
     std::fill(z.begin(), z.end(), 0.0);
     for (const RodContact& c : w.rod.contacts) {
       const Vec3 pull = h * h * c.stiffness * coupling::mean(*c.at, x);
-      coupling::add_spread(y, *c.at, pull);
+      coupling::add_spread(y, *c.at, times * pull);
       add_to_rod(z, c, pull);
     }
     w.rod.motion.matrix.solve(z.data());
     for (const RodContact& c : w.rod.contacts)
-      coupling::add_spread(y, *c.at, -h * h * c.stiffness * at_contact(z, c));
+      coupling::add_spread(y, *c.at, -times * h * h * c.stiffness * at_contact(z, c));
   }
 };
 
-void load_tissue(const Model& m, const State& s, Scratch& w) {
+// load += times h C^T (h K J (w + free answer) - f)
+void add_contacts(NodeVector& load, const Model& m, const State& s, const Scratch& w, double times) {
   const double h = m.scene.run.time_step;
-  w.right_hand_side = w.momentum;
   for (const RodContact& c : w.rod.contacts) {
     const Vec3 rate = at_contact(s.needle.rod.rate, c) + at_contact(w.rod.free_answer, c);
-    coupling::add_spread(w.right_hand_side, *c.at, h * (h * c.stiffness * rate - c.force));
+    coupling::add_spread(load, *c.at, times * h * (h * c.stiffness * rate - c.force));
   }
 }
 
@@ -167,10 +167,8 @@ double line_search(const Model& m, State& s, Scratch& w, const needle::Pose& hub
     NodeVector& change = w.right_hand_side;
     change = s.velocity;
     numeric::add_scaled_into(change, -1.0, w.velocity_tried);
-    tissue::multiply_into(w.product, m.tissue, w.corotation, w.matrix, w.velocity_tried);
-    tissue_slope = numeric::dot(change, w.product) - numeric::dot(change, w.momentum);
-    tissue::multiply_into(w.product, m.tissue, w.corotation, w.matrix, change);
-    tissue_curvature = numeric::dot(change, w.product);
+    tissue_slope = -numeric::dot(change, w.imbalance_tried);
+    tissue_curvature = -tissue_slope - numeric::dot(change, w.imbalance);
   }
   const auto slope = [&](double share) {
     go_part_of_the_way(m, s, w, share);
@@ -196,11 +194,19 @@ bool improve(const Model& m, State& s, Scratch& w, RodOutcome& outcome) {
   if (!m.rigid()) {
     w.rod.free_answer = motion.residual;
     motion.matrix.solve(w.rod.free_answer.data());
-    load_tissue(m, s, w);
+    w.right_hand_side = w.momentum;
+    add_contacts(w.right_hand_side, m, s, w, 1.0);
     const double norm = std::sqrt(numeric::dot(w.right_hand_side, w.right_hand_side));
-    const numeric::CgOutcome solve =
-        numeric::solve_refined_into(s.velocity, w.right_hand_side, m.scene.run.solver_tolerance * norm,
-                                    max_iterations, w.solver, Product{m, w}, preconditioner(m, w));
+    const Product product{m, w};
+    w.residual = w.imbalance;
+    add_contacts(w.residual, m, s, w, 1.0);
+    product.add_rod(w.residual, s.velocity, -1.0);
+    const numeric::SolveOutcome solve =
+        numeric::improve_refined_into(s.velocity, w.residual, m.scene.run.solver_tolerance * norm,
+                                      max_iterations, w.solver, product, preconditioner(m, w));
+    w.imbalance = w.residual;
+    add_contacts(w.imbalance, m, s, w, -1.0);
+    product.add_rod(w.imbalance, s.velocity, 1.0);
     outcome.iterations += solve.iterations;
     if (solve.broke_down || solve.iterations >= max_iterations) return false;
   }
@@ -236,7 +242,10 @@ RodOutcome solve_with_rod(const Model& m, State& s, Scratch& w, const needle::Po
       if (grip) outcome.hub_force += (grip_pull(m, s, hub) - along.dot(by_hub)) * along;
       return outcome;
     }
-    if (!m.rigid()) w.velocity_tried = s.velocity;
+    if (!m.rigid()) {
+      w.velocity_tried = s.velocity;
+      w.imbalance_tried = w.imbalance;
+    }
     w.rod.before = s.needle.rod;
     if (!improve(m, s, w, outcome)) break;
     go_part_of_the_way(m, s, w, 1.0);
@@ -247,6 +256,8 @@ RodOutcome solve_with_rod(const Model& m, State& s, Scratch& w, const needle::Po
     if (!m.rigid() && share < 1.0) {
       numeric::scale_and_add_into(s.velocity, share, w.velocity_tried);
       numeric::add_scaled_into(s.velocity, -share, w.velocity_tried);
+      numeric::scale_and_add_into(w.imbalance, share, w.imbalance_tried);
+      numeric::add_scaled_into(w.imbalance, -share, w.imbalance_tried);
     }
     correct_grips(m, s, w);
   }
@@ -279,7 +290,7 @@ double hub_stiffness(const Model& m, const State& s, Scratch& w) {
     add_at(answer, 0, -along);
     constexpr double tolerance = 1e-4;
     const double norm = std::sqrt(numeric::dot(w.stick_load, w.stick_load));
-    const numeric::CgOutcome outcome =
+    const numeric::SolveOutcome outcome =
         numeric::solve_into(w.answer, w.stick_load, tolerance * norm, max_iterations, w.solver.single,
                             Product{m, w}, preconditioner(m, w));
     if (outcome.broke_down || outcome.iterations >= max_iterations) return 0.0;

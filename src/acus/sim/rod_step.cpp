@@ -75,7 +75,7 @@ void advance_rod(const Model& m, State& s, Scratch& w, const needle::Pose& hub, 
   probe(StepPart::touch);
   if (!m.rigid()) {
     assemble_tissue(m, s, w);
-    begin_tissue(s, w);
+    begin_tissue(m, s, w);
   }
   probe(StepPart::assembly);
   const RodOutcome solved = solve_with_rod(m, s, w, hub);

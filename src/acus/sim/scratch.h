@@ -51,12 +51,15 @@ struct Scratch {
   tissue::SystemMatrix matrix;    // at the positions of `corotation`
   numeric::RefinedScratch solver;
   numeric::CoarseScratch coarse;
-  numeric::NodeVector product;   // of the matrix
   numeric::NodeVector momentum;  // M v0 + h f_el + impulses that do not depend on the step
+  // What the tissue's own equation is short of with state.velocity: momentum - A v. Contacts make up for it.
+  numeric::NodeVector imbalance;
   numeric::NodeVector right_hand_side;
+  numeric::NodeVector residual;             // of the equation with the contacts
   numeric::NodeVectorOf<float> stick_load;  // answer wanted for a unit rate of the needle
   numeric::NodeVector velocity_before;      // at the start of the step
   numeric::NodeVector velocity_tried;       // at the start of a line search
+  numeric::NodeVector imbalance_tried;      // there
   numeric::NodeVectorOf<float> answer;      // as state.influence, for resistance()
   std::vector<HeldPoint> held;              // of a column: the tip first
   RodScratch rod;                           // of a rod

@@ -135,7 +135,7 @@ bool move_together(const Model& m, State& s, Scratch& w, double hand_travel, Bef
   assemble_tissue(m, s, w);
   coupling::add_along(w.momentum, m.entry, h * configurational, m.path.direction);
   probe(StepPart::assembly);
-  begin_tissue(s, w);
+  begin_tissue(m, s, w);
   const CoupledOutcome solved =
       solve_coupled(m, s, w, hand_travel, before.place.free_length, configurational);
   if (solved.broke_down) return false;

@@ -7,19 +7,19 @@ void assemble_tissue(const Model& m, const State& s, Scratch& w) {
   tissue::assemble_into(w.matrix, m.tissue, w.corotation, m.factors.mass, m.factors.stiffness);
 }
 
-void begin_tissue(State& s, Scratch& w) {
+void begin_tissue(const Model& m, State& s, Scratch& w) {
   w.velocity_before = s.velocity;
-  numeric::add_scaled_into(s.velocity, 1.0, s.velocity_change);
+  numeric::extrapolate(s.velocity, s.extrapolation);
+  tissue::multiply_into(w.imbalance, m.tissue, w.corotation, w.matrix, s.velocity);
+  numeric::scale_and_add_into(w.imbalance, -1.0, w.momentum);
 }
 
 void move_tissue(const Model& m, State& s, Scratch& w, TissueBefore& before, const StepProbe& probe) {
   const double h = m.scene.run.time_step;
-  s.velocity_change = s.velocity;
-  numeric::add_scaled_into(s.velocity_change, -1.0, w.velocity_before);
+  numeric::learn(s.extrapolation, s.velocity, w.velocity_before);
   before.elastic_work =
       h * numeric::dot(std::span(w.corotation.elastic_force).first(s.velocity.size()), s.velocity);
-  tissue::multiply_into(w.product, m.tissue, w.corotation, w.matrix, s.velocity);
-  before.matrix_product = numeric::dot(s.velocity, w.product);
+  before.matrix_product = numeric::dot(s.velocity, w.momentum) - numeric::dot(s.velocity, w.imbalance);
   probe(StepPart::ledger);
   tissue::move(s.position, s.velocity, h);
   tissue::corotate_into(w.corotation, s.branch, m.tissue, s.position);
@@ -36,8 +36,8 @@ void account_tissue(const Model& m, State& s, const Scratch& w, const TissueBefo
   const double vkv = (before.matrix_product - m.factors.mass * vmv) / m.factors.stiffness;
   const double frozen_energy = before.energy - before.elastic_work + 0.5 * h * h * vkv;
   s.ledger.work_damping += h * (m.damping.mass * vmv + m.damping.stiffness * vkv);
-  s.ledger.work_numerical += 0.5 * tissue::mass_product(m.tissue, s.velocity_change) + 0.5 * h * h * vkv +
-                             (frozen_energy - w.corotation.energy) - w.corotation.relaxed;
+  s.ledger.work_numerical += 0.5 * tissue::mass_product(m.tissue, s.extrapolation.difference[0]) +
+                             0.5 * h * h * vkv + (frozen_energy - w.corotation.energy) - w.corotation.relaxed;
   s.ledger.work_relaxation += w.corotation.relaxed;
   s.ledger.energy_tissue = w.corotation.energy;
   s.ledger.energy_kinetic = 0.5 * vmv;

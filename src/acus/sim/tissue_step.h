@@ -18,8 +18,9 @@ struct TissueBefore {
 // Momentum and matrix at the present positions, without the needle.
 void assemble_tissue(const Model& model, const State& state, Scratch& scratch);
 
-// A start for the solve near its answer: the last velocity and its last change.
-void begin_tissue(State& state, Scratch& scratch);
+// A start for the solve near its answer, from the velocities before, and its imbalance. The momentum is
+// complete.
+void begin_tissue(const Model& model, State& state, Scratch& scratch);
 
 // Jacobi and a coarse grid, for the matrix of the tissue alone.
 inline auto preconditioner(const Model& m, Scratch& w) {

@@ -186,6 +186,15 @@ void add_cell(const Model& m, State& s, const Vec3& direction) {
   ++n.channel.count;
 }
 
+// Where a short way through deformed tissue leads at rest. Tissue that is crumpled under the tip, so that it
+// would lead aside or back, says nothing.
+Vec3 way_at_rest(const Mat3& F, const Vec3& way) {
+  if (F.determinant() < 0.01) return way;
+  const Vec3 at_rest = F.inverse() * way;
+  constexpr double crumpled = 0.5;  // cosine of the turn
+  return at_rest.dot(way) > crumpled * at_rest.norm() * way.norm() ? at_rest : way;
+}
+
 }  // namespace
 
 RodPlace place_rod(const Model& m, const State& s) {
@@ -304,7 +313,7 @@ bool cut_along_tip(const Model& m, State& s, double slip) {
   constexpr double steepest = 0.2;
   const Vec3 aside = m.point_aside > 0.0 ? across(to_point, axis) : Vec3(Vec3::Zero());
   const Vec3 ahead = axis + aside / std::max(slip, aside.norm() / steepest);
-  const Vec3 way = F.determinant() > 0.01 ? Vec3(F.inverse() * ahead) : ahead;
+  const Vec3 way = way_at_rest(F, ahead);
   const Vec3 direction = way.normalized();
   // Where the spring's end must be: what an earlier step left behind is made up for.
   const double wanted = axis.dot(to_point) - s.tip_elongation;

@@ -116,6 +116,20 @@ TEST(RodInTissue, comes_out_at_the_far_side_and_back) {
 // A hub led aside and turned, against the beam clamped at the hub and pinned at the tip: an offset d asks for
 // the force 3 EI d / L^3 and the moment 3 EI d / L^2, a turn by an angle for 3 EI angle / L^2 and 3 EI angle
 // / L.
+// A bowed needle that breaks through a deep dent: the tissue under its tip is crumpled, and tells the cut to
+// go back. The tip shoots in by centimetres and stays there.
+TEST(RodInTissue, goes_in_through_crumpled_tissue) {
+  Scene scene = table_one(0.2, 24.6e-3, 20e-3, 3000);
+  scene.contact.rupture_force = 0.66;
+  scene.contact.fracture_toughness = 76.0;
+  scene.contact.friction = 20.0;
+  scene.run.solver_tolerance = 1e-4;
+  const Insertion run = insert(scene);
+  ASSERT_TRUE(run.first(EventKind::puncture));
+  EXPECT_FALSE(run.first(EventKind::exit));
+  EXPECT_GT(run.frames.back().inserted_length, 10e-3);
+}
+
 TEST(RodHub, feels_the_force_and_moment_of_a_beam) {
   Scene scene = in_testing_machine(Support::clamped_pinned, 0.1);
   scene.needle.imperfection = 0.0;

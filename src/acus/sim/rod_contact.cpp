@@ -294,7 +294,8 @@ coupling::NeedleSlide slide_rod(const Model& m, State& s, const Scratch& w) {
   return all;
 }
 
-bool cut_along_tip(const Model& m, State& s, double slip) {
+bool cut_along_tip(const Model& m, State& s, const coupling::SliderStep& tip) {
+  const double slip = tip.slip;
   if (slip <= 0.0 || s.through || m.rigid()) return false;
   RodNeedle& n = s.needle;
   const Vec3 point = point_from_tip(m, s);
@@ -331,7 +332,7 @@ bool cut_along_tip(const Model& m, State& s, double slip) {
   attach_disc_into(s.tip, m, n.channel_end, direction);
   s.channel_depth += advance;
   // The shaft will come to lie in it with this energy, out of what the tip has spent.
-  const double spread = spreading_force(m, s) * advance;
+  const double spread = std::min(spreading_force(m, s) * advance, tip.dissipated);
   s.ledger.work_cutting -= spread;
   s.ledger.work_numerical += spread;
   while (n.channel.cells() * coupling::channel_cell < s.channel_depth && n.channel.cells() < m.most_cells())

@@ -36,8 +36,8 @@ bool correct_grips(const Model& model, const State& state, Scratch& scratch);
 // implicit step lost, and leaves the energy of the springs as line of the ledger.
 coupling::NeedleSlide slide_rod(const Model& model, State& state, const Scratch& scratch);
 
-// The cut goes on by `slip` [m] in the direction of the tip, and the channel with it. Returns whether it has
-// come out.
-bool cut_along_tip(const Model& model, State& state, double slip);
+// The cut goes on in the direction of the tip by what it slipped in the step `tip`, and the channel with it.
+// Returns whether it has come out.
+bool cut_along_tip(const Model& model, State& state, const coupling::SliderStep& tip);
 
 }  // namespace acus

@@ -100,7 +100,7 @@ void advance_rod(const Model& m, State& s, Scratch& w, const needle::Pose& hub, 
   observed.tip_force = tip.force;
   observed.ruptured_now = !s.punctured && tip.slip > 0.0;
   s.punctured = s.punctured || observed.ruptured_now;
-  observed.through_now = cut_along_tip(m, s, tip.slip);
+  observed.through_now = cut_along_tip(m, s, tip);
   probe(StepPart::cutting);
   account_rod(m, s, w, before, frame);
 

@@ -65,7 +65,7 @@ TEST_P(RandomInsertion, stays_finite_closes_the_ledger_and_creates_no_energy) {
   for (int trial = 0; trial < trials(); ++trial) {
     const Scene scene = random_scene(random, GetParam());
     SCOPED_TRACE("trial " + std::to_string(trial));
-    const Insertion run = insert(scene);
+    const Insertion run = insert(scene, {}, Health::needle_folded);
     ASSERT_FALSE(run.frames.empty());
     double turnover = 1e-6, cut = 0.0, rubbed = 0.0;  // J
     Frame before;

@@ -119,15 +119,28 @@ bool is_in_guide(const Model& m, const State& s, int point) {
   return depth(s.needle.rod.position.front()) <= 0.0 && depth(s.needle.rod.position.back()) >= 0.0;
 }
 
+// Where the rod passes a point of the guide: the first place from `start` towards the hub that is level with
+// it. A bow that hangs down beside the guide comes later and is not taken for it.
+RodPoint point_in_guide(const Model& m, const State& s, int point, int start) {
+  const needle::RodState& rod = s.needle.rod;
+  const auto depth = [&](int node) {
+    return m.path.direction.dot(rod.position[node] - m.guide.point[point]);
+  };
+  int j = start;
+  while (j > 0 && depth(j) > 0.0) --j;
+  while (j + 1 < m.rod.edges && depth(j + 1) < 0.0) ++j;
+  const double before = depth(j), behind = depth(j + 1);
+  return {j, behind > before ? std::clamp(-before / (behind - before), 0.0, 1.0) : 0.0};
+}
+
 RodContact guide_contact(const Model& m, State& s, int point, int start_edge) {
-  const Vec3& y = m.guide.point[point];
   RodContact c;
   c.at = &m.guide.nowhere;
-  c.point = nearest_point(m, s, y, start_edge);
-  c.axis = tangent_at(s, c.point.edge);
+  c.point = point_in_guide(m, s, point, start_edge);
+  c.axis = m.path.direction;
   c.slider = coupling::slider_of(m.guide, point, s.guide_elongation[point]);
   c.lateral = m.guide.stiffness * m.guide.length[point];
-  c.lateral_elongation = across(needle::place_of(s.needle.rod, c.point) - y, c.axis);
+  c.lateral_elongation = across(needle::place_of(s.needle.rod, c.point) - m.guide.point[point], c.axis);
   c.elongation = &s.guide_elongation[point];
   return c;
 }

@@ -12,8 +12,10 @@ namespace {
 
 using numeric::NodeVector;
 
-constexpr int max_passes = 40;        // of Newton's method and the branches together; two are usual
-constexpr int max_iterations = 4000;  // of one conjugate-gradient solve
+constexpr int max_passes = 80;  // of Newton's method and the branches together; two are usual
+constexpr int easy_passes = 8;  // more are for a rod that is giving way
+constexpr double slight_force = 1e-2, stride = 8.0;  // N; how much farther it goes while no more is left
+constexpr int max_iterations = 4000;                 // of one conjugate-gradient solve
 constexpr double force_error = 1e-6;  // N, and N per edge for moments: what may be left unbalanced
 
 void add_at(std::vector<double>& to, int at, const Vec3& v) {
@@ -224,27 +226,32 @@ RodOutcome solve_with_rod(const Model& m, State& s, Scratch& w, const needle::Po
         along.dot(s.needle.rod.position[0] + h * three(s.needle.rod.rate, 0) - hub.position) * along;
   needle::begin_step(motion, m.rod, s.needle.rod, first, h);
   bool settled = false;
+  double left_before = 0.0;
   for (int pass = 0; pass < max_passes; ++pass) {
     if (!factor_rod(m, s, w, hub)) break;
     motion.change = motion.residual;
     add_tissue_to(motion.change, m, s, w);
     const Vec3 by_hub = -three(motion.change, 0) / h;
     leave_to_hub(m, motion.change);
-    if (settled && imbalance(m, motion.change) <= force_error) {
+    const double left = imbalance(m, motion.change);
+    if (settled && left <= force_error) {
       outcome.hub_force = by_hub;
       // A grip's pull is in balance already; what it holds across the path is left.
       if (grip) outcome.hub_force += (grip_pull(m, s, hub) - along.dot(by_hub)) * along;
       return outcome;
     }
+    // At a balance from which the rod is about to give way: it leaves it with each pass, by little more.
+    const bool giving_way = settled && pass >= easy_passes && left > left_before && left < slight_force;
+    left_before = left;
     if (!m.rigid()) w.velocity_tried = s.velocity;
     w.rod.before = s.needle.rod;
     if (!improve(m, s, w, outcome)) break;
     go_part_of_the_way(m, s, w, 1.0);
-    settled = !correct_grips(m, s, w);
+    settled = !correct_grips(m, s, w) && !giving_way;
     if (settled) continue;
-    const double share = line_search(m, s, w, hub);
+    const double share = giving_way ? stride : line_search(m, s, w, hub);
     go_part_of_the_way(m, s, w, share);
-    if (!m.rigid() && share < 1.0) {
+    if (!m.rigid() && share != 1.0) {
       numeric::scale_and_add_into(s.velocity, share, w.velocity_tried);
       numeric::add_scaled_into(s.velocity, -share, w.velocity_tried);
     }

@@ -59,6 +59,10 @@ Bent bent_of(const Model& m, State& s, const RodPlace& place) {
 
 Health health_of(const Model& m, const State& s, const RodPlace& place) {
   if (!std::isfinite(force::accounted(s.ledger))) return Health::not_finite;
+  // A joint lets the needle swing round until it lies on the hand; the rod's twist has no meaning there.
+  constexpr double folded = -0.95;  // cosine
+  if (s.needle.hub.tangent.dot(needle::edge(s.needle.rod, 0).normalized()) < folded)
+    return Health::needle_folded;
   return place.free_length < needle::shortest_column * m.needle.radius ? Health::hub_at_entry : Health::good;
 }
 

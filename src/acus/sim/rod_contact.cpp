@@ -149,9 +149,11 @@ void add_cell(const Model& m, State& s, const Vec3& direction) {
   n.cell_point[cell] = point;
   const auto held = m.locator->locate(point, m.scene.contact.contact_radius);
   coupling::NearField near;  // outside of the mesh nothing holds
-  if (held)
-    near = coupling::near_field(tissue::shear_modulus(m.material()), m.scene.tissue.poisson_ratio,
-                                spacing_across(m, held->tet, direction), m.scene.needle.radius);
+  if (held) {
+    const double spacing = m.scene.contact.near_field ? spacing_across(m, held->tet, direction) : 0.0;
+    near = coupling::near_field(tissue::shear_modulus(m.material()), m.scene.tissue.poisson_ratio, spacing,
+                                m.scene.needle.radius);
+  }
   n.cell_lateral[cell] = near.lateral;
   n.channel.stiffness[cell] = near.axial;
   ++n.channel.count;

@@ -22,6 +22,7 @@ void show_coupling(Page& page, const GroupRecords& group);     // Eq. 8 as print
 void show_convergence(Page& page, const GroupRecords& group);  // force under mesh refinement
 void show_felt(Page& page, const GroupRecords& group);         // force and travel over time
 void show_map(Page& page, const GroupRecords& group);          // outcome over two keys
+void show_depth(Page& page, const GroupRecords& group);        // second buckling over depth, by mesh
 // Where the paper contradicts itself, and what these groups of runs do not show.
 void show_contradictions(Page& page, const std::vector<GroupRecords>& groups);
 

@@ -28,17 +28,11 @@ struct ExhibitName {
   const char* word;
   Exhibit exhibit;
 };
-constexpr ExhibitName exhibit_names[] = {{"force", Exhibit::force},
-                                         {"energy", Exhibit::energy},
-                                         {"stages", Exhibit::stages},
-                                         {"mesh", Exhibit::mesh},
-                                         {"loads", Exhibit::loads},
-                                         {"column", Exhibit::column},
-                                         {"shapes", Exhibit::shapes},
-                                         {"coupling", Exhibit::coupling},
-                                         {"convergence", Exhibit::convergence},
-                                         {"felt", Exhibit::felt},
-                                         {"map", Exhibit::map}};
+constexpr ExhibitName exhibit_names[] = {
+    {"force", Exhibit::force},   {"energy", Exhibit::energy},     {"stages", Exhibit::stages},
+    {"mesh", Exhibit::mesh},     {"loads", Exhibit::loads},       {"column", Exhibit::column},
+    {"shapes", Exhibit::shapes}, {"coupling", Exhibit::coupling}, {"convergence", Exhibit::convergence},
+    {"felt", Exhibit::felt},     {"map", Exhibit::map},           {"depth", Exhibit::depth}};
 
 // Reads one study file.
 class Reader : private TomlReading {

@@ -23,7 +23,20 @@
 namespace acus::study {
 
 // What a report can show of a group of runs.
-enum class Exhibit { force, energy, stages, mesh, loads, column, shapes, coupling, convergence, felt, map };
+enum class Exhibit {
+  force,
+  energy,
+  stages,
+  mesh,
+  loads,
+  column,
+  shapes,
+  coupling,
+  convergence,
+  felt,
+  map,
+  depth
+};
 
 struct ReportWish {
   std::vector<Exhibit> show{Exhibit::force, Exhibit::energy, Exhibit::loads};

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "acus/coupling/punch.h"
 #include "acus/mesh/block.h"
 #include "acus/mesh/order.h"
 #include "acus/mesh/quality.h"
@@ -11,6 +12,7 @@
 #include "acus/needle/buckling.h"
 #include "acus/numeric/circular.h"
 #include "acus/sim/hand.h"
+#include "acus/sim/prediction.h"
 
 namespace acus {
 namespace {
@@ -90,6 +92,15 @@ void build_channel(Model& m) {
   }
 }
 
+// As at the entry, all the way: deeper, where the tissue surrounds the tip, about half as much is missing.
+double tip_stiffness(const Model& m) {
+  const ContactScene& c = m.scene.contact;
+  if (!c.near_field || c.coupling == Coupling::nearest_node) return c.stiffness;
+  const double missing = coupling::missing_share(m.mesh, *m.locator, m.path.entry, m.path.direction,
+                                                 c.contact_radius, m.disc_rings);
+  return 1.0 / (1.0 / c.stiffness + missing * half_space_sink(1.0, m.scene.tissue, c.contact_radius));
+}
+
 // The system matrix at rest, on a coarse grid.
 numeric::CoarseSpace coarse_space_at_rest(const Model& m) {
   tissue::Corotation corotation = tissue::build_corotation(m.tissue);
@@ -147,6 +158,7 @@ Result<Model> build_model(const Scene& scene, const mesh::TetMesh* mesh) {
     m.bevel_ratio = scene.contact.bevel_share / tangent;
     m.bevel_face = 2.0 * scene.needle.radius / tangent;
   }
+  m.tip_stiffness = scene.contact.stiffness;
   if (m.rigid()) {
     m.path = {Vec3::Zero(), Vec3(0.0, 0.0, -1.0), 0.0};
     return m;
@@ -169,6 +181,7 @@ Result<Model> build_model(const Scene& scene, const mesh::TetMesh* mesh) {
   m.coarse = coarse_space_at_rest(m);
   m.locator.emplace(m.mesh);
   m.disc_rings = coupling::rings_for(scene.contact.contact_radius, mesh::quality(m.mesh).shortest_edge);
+  m.tip_stiffness = tip_stiffness(m);
   attach_tip_into(m.entry, m, 0.0);
   if (m.entry.empty())
     return Error{"tissue: the entry lies in the part that is held fixed; choose another target"};

@@ -23,6 +23,7 @@ struct Model {
   double bevel_ratio = 0.0;      // of the force to the side that a bevel makes of the tip force
   double bevel_face = 0.0;       // m, how far its face reaches along the needle
   double grip_compliance = 0.0;  // m/N
+  double tip_stiffness = 0.0;    // N/m, of the contact spring and what the mesh cannot sink by under the tip
   mesh::InsertionPath path;      // entry, direction, length of tissue along it
 
   // All of the tissue; empty when it is rigid.

@@ -60,7 +60,7 @@ double tip_hold(const Model& m, const State& s) {
     return cells > 0 && s.tip_elongation >= 0.0 ? s.needle.cell_lateral[cells - 1] * coupling::channel_cell
                                                 : 0.0;
   const bool rests = s.tip_elongation > 0.0 && m.scene.needle.support != needle::Support::clamped_free;
-  return rests ? m.scene.contact.stiffness : 0.0;
+  return rests ? m.tip_stiffness : 0.0;
 }
 
 // The surface is pressed along the path, whichever way the tip points; a cut goes where it points.
@@ -238,6 +238,7 @@ coupling::SliderStep slide_rod(const Model& m, State& s, const Scratch& w) {
     const coupling::SliderStep step = coupling::advance(c.slider, way.dot(c.axis));
     const Vec3 sideways = across(way, c.axis);
     s.ledger.work_numerical += step.numerical + 0.5 * c.lateral * sideways.squaredNorm();
+    s.ledger.work_damping += step.released;
     energy += stored(c, step.elongation, c.lateral_elongation + sideways);
     if (c.cell < 0) {
       s.tip_elongation = step.elongation;

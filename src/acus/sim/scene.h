@@ -49,7 +49,7 @@ struct ContactScene {
   double contact_radius = 2.5e-3;  // m, disc over which a tip load is spread; chosen, a mesh must resolve it
   double stiffness = 1e4;  // N/m, needle point against tissue (k of Eq. 8); chosen stiff beside the tissue
   Coupling coupling = Coupling::embedded;
-  bool near_field = true;  // of a rod: the tissue close to its shaft gives way by what the mesh cannot
+  bool near_field = true;  // the tissue close to the needle gives way by what the mesh cannot
   // Share of the tip force that the face of a bevel takes; its edge takes the rest, which pushes to no side.
   double bevel_share = 0.1;  // chosen, docs/rod.md
 };

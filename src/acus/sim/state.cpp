@@ -18,8 +18,8 @@ needle::Pose hub_pose(const Model& m, double travel) {
 
 coupling::Slider tip_slider(const Model& m, const State& s) {
   const double unbreakable = std::numeric_limits<double>::infinity();
-  if (m.rigid()) return {m.scene.contact.stiffness, s.tip_elongation, 0.0, unbreakable, true};
-  const double stiffness = s.through ? 0.0 : m.scene.contact.stiffness;
+  if (m.rigid()) return {m.tip_stiffness, s.tip_elongation, 0.0, unbreakable, true};
+  const double stiffness = s.through ? 0.0 : m.tip_stiffness;
   const double limit = s.through ? 0.0 : s.punctured ? m.cutting_force : m.scene.contact.rupture_force;
   return {stiffness, s.tip_elongation, 0.0, limit, true};
 }

@@ -53,7 +53,7 @@ std::string words_of(const Panel& panel) {
 }
 
 Plot depth_plot(const Panel& panel) {
-  constexpr double deepest = 50.0, heaviest = 2.0;  // mm, N: the same for every panel, to be compared
+  constexpr double deepest = 60.0, heaviest = 2.0;  // mm, N: the same for every panel, to be compared
   Plot plot;
   plot.title = joined({"Second buckling, ", words_of(panel)});
   plot.description = "One curve for each mesh, and the closed form on the free length.";
@@ -65,7 +65,7 @@ Plot depth_plot(const Panel& panel) {
   for (const DepthCurve& curve : curves_of(panel)) {
     std::vector<Point2> points;
     for (std::size_t i = 0; i < curve.depth.size(); ++i)
-      if (curve.depth[i] < deepest * mm) points.push_back({curve.depth[i] / mm, curve.load[i]});
+      points.push_back({curve.depth[i] / mm, curve.load[i]});
     plot.curves.push_back({joined({std::to_string(curve.tetrahedra), " tets"}), style++ % 6, points});
   }
   const RunRecord& run = *panel.runs.front();
@@ -86,12 +86,14 @@ Table depth_table(const Panel& panel) {
   for (const double depth : {10e-3, 20e-3, 30e-3, 45e-3}) {
     std::vector<std::string> row{number(depth / mm)};
     double least = HUGE_VAL, most = 0.0;
+    bool whole = true;
     for (const DepthCurve& curve : curves) {
       const double load = load_at(curve, depth);
       row.push_back(number(load, 3));
-      least = std::fmin(least, load), most = std::fmax(most, load);
+      least = std::min(least, load), most = std::max(most, load);
+      whole = whole && std::isfinite(load);
     }
-    row.push_back(percent_off(most, least));
+    row.push_back(whole ? percent_off(most, least) : "-");
     row.push_back(number(critical_load(run, run.scene.needle.length - depth), 3));
     table.rows.push_back(row);
   }

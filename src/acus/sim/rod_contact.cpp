@@ -60,7 +60,7 @@ double tip_hold(const Model& m, const State& s) {
     return cells > 0 && s.tip_elongation >= 0.0 ? s.needle.cell_lateral[cells - 1] * coupling::channel_cell
                                                 : 0.0;
   const bool rests = s.tip_elongation > 0.0 && m.scene.needle.support != needle::Support::clamped_free;
-  return rests ? m.scene.contact.stiffness : 0.0;
+  return rests ? m.tip_stiffness : 0.0;
 }
 
 // The surface is pressed along the path, whichever way the tip points; a cut goes where it points.
@@ -191,9 +191,11 @@ void add_cell(const Model& m, State& s, const Vec3& direction) {
   n.cell_point[cell] = point;
   const auto held = m.locator->locate(point, m.scene.contact.contact_radius);
   coupling::NearField near;  // outside of the mesh nothing holds
-  if (held)
-    near = coupling::near_field(tissue::shear_modulus(m.material()), m.scene.tissue.poisson_ratio,
-                                spacing_across(m, held->tet, direction), m.scene.needle.radius);
+  if (held) {
+    const double spacing = m.scene.contact.near_field ? spacing_across(m, held->tet, direction) : 0.0;
+    near = coupling::near_field(tissue::shear_modulus(m.material()), m.scene.tissue.poisson_ratio, spacing,
+                                m.scene.needle.radius);
+  }
   n.cell_lateral[cell] = near.lateral;
   n.channel.stiffness[cell] = near.axial;
   ++n.channel.count;
@@ -293,6 +295,7 @@ coupling::NeedleSlide slide_rod(const Model& m, State& s, const Scratch& w) {
     const coupling::SliderStep step = coupling::advance(c.slider, way.dot(c.axis));
     const Vec3 sideways = across(way, c.axis);
     s.ledger.work_numerical += step.numerical + 0.5 * c.lateral * sideways.squaredNorm();
+    s.ledger.work_damping += step.released;
     energy += stored(c, step.elongation, c.lateral_elongation + sideways);
     *c.elongation = step.elongation;
     if (&c == &w.rod.contacts.front()) {

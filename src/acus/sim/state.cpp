@@ -23,8 +23,8 @@ double spreading_force(const Model& m, const State& s) {
 
 coupling::Slider tip_slider(const Model& m, const State& s) {
   const double unbreakable = std::numeric_limits<double>::infinity();
-  if (m.rigid()) return {m.scene.contact.stiffness, s.tip_elongation, 0.0, unbreakable, true};
-  const double stiffness = s.through ? 0.0 : m.scene.contact.stiffness;
+  if (m.rigid()) return {m.tip_stiffness, s.tip_elongation, 0.0, unbreakable, true};
+  const double stiffness = s.through ? 0.0 : m.tip_stiffness;
   const double cutting = std::max(m.cutting_force, spreading_force(m, s));
   const double limit = s.through ? 0.0 : s.punctured ? cutting : m.scene.contact.rupture_force;
   return {stiffness, s.tip_elongation, 0.0, limit, true};

@@ -76,8 +76,8 @@ export const supports: Preset[] = [
 const held = (millimetres: number, words: string, source: string): Preset => ({ words, settings: { 'hand.grip_mm': millimetres }, source });
 export const grips: Preset[] = [
   held(0, 'at the hub', 'all of the needle is in front of the hand'),
-  held(50, '50 mm before the hub', 'the part behind the hand hangs free'),
-  held(100, '100 mm before the hub', 'the part behind the hand hangs free'),
+  held(50, '50 mm down', 'the part behind the hand hangs free'),
+  held(100, '100 mm down', 'the part behind the hand hangs free'),
 ];
 const guide = (words: string, length: number, gap: number, stiffness: number, friction: number, source: string): Preset => ({
   words,

@@ -64,8 +64,11 @@ TEST_P(RandomInsertion, stays_finite_closes_the_ledger_and_creates_no_energy) {
   std::mt19937_64 random(20240917);
   for (int trial = 0; trial < trials(); ++trial) {
     const Scene scene = random_scene(random, GetParam());
+    // A thin rod on a joint may swing round until it lies on the hand.
+    const bool may_fold =
+        GetParam() == NeedleModel::rod && scene.needle.support == needle::Support::pinned_pinned;
     SCOPED_TRACE("trial " + std::to_string(trial));
-    const Insertion run = insert(scene, {}, Health::needle_folded);
+    const Insertion run = insert(scene, {}, may_fold ? Health::needle_folded : Health::good);
     ASSERT_FALSE(run.frames.empty());
     double turnover = 1e-6, cut = 0.0, rubbed = 0.0;  // J
     Frame before;
@@ -75,6 +78,10 @@ TEST_P(RandomInsertion, stays_finite_closes_the_ledger_and_creates_no_energy) {
       ASSERT_GE(f.ledger.work_cutting, cut - 1e-15) << f.time;
       ASSERT_GE(f.ledger.work_friction, rubbed - 1e-15) << f.time;
       ASSERT_LT(std::abs(f.energy_residual), 0.01 * turnover) << f.time;
+      // What is held at the nearest node changes its energy as it jumps to the next one.
+      if (scene.contact.coupling == Coupling::embedded) {
+        ASSERT_GT(f.ledger.work_numerical, -0.01 * turnover) << f.time;
+      }
       cut = f.ledger.work_cutting;
       rubbed = f.ledger.work_friction;
       before = f;

@@ -149,9 +149,6 @@ TEST(RodInTissue, comes_out_at_the_far_side_and_back) {
   EXPECT_GT(pulled, -1.2 * scene.contact.friction * 20e-3);
 }
 
-// A hub led aside and turned, against the beam clamped at the hub and pinned at the tip: an offset d asks for
-// the force 3 EI d / L^3 and the moment 3 EI d / L^2, a turn by an angle for 3 EI angle / L^2 and 3 EI angle
-// / L.
 // A bowed needle that breaks through a deep dent: the tissue under its tip is crumpled, and tells the cut to
 // go back. The tip shoots in by centimetres and stays there.
 TEST(RodInTissue, goes_in_through_crumpled_tissue) {
@@ -166,6 +163,9 @@ TEST(RodInTissue, goes_in_through_crumpled_tissue) {
   EXPECT_GT(run.frames.back().inserted_length, 10e-3);
 }
 
+// A hub led aside and turned, against the beam clamped at the hub and pinned at the tip: an offset d asks for
+// the force 3 EI d / L^3 and the moment 3 EI d / L^2, a turn by an angle for 3 EI angle / L^2 and 3 EI angle
+// / L.
 TEST(RodHub, feels_the_force_and_moment_of_a_beam) {
   Scene scene = in_testing_machine(Support::clamped_pinned, 0.1);
   scene.needle.imperfection = 0.0;

@@ -96,8 +96,10 @@ coupling::Guide guide_above_entry(const Model& m) {
   const GuideScene& scene = m.scene.guide;
   const Vec3 up = -m.path.direction;
   constexpr double per_edge = 2.0;  // of the rod, so that none slips through
-  coupling::Guide guide = coupling::build_guide(m.path.entry + scene.gap * up, up, scene.length,
-                                                m.rod.edge_length.front() / per_edge);
+  // Farther up there is never a needle: a hand may go back by as much as is in front of it.
+  const double length = std::min(scene.length, 2.0 * m.needle.length);
+  coupling::Guide guide =
+      coupling::build_guide(m.path.entry + scene.gap * up, up, length, m.rod.edge_length.front() / per_edge);
   guide.stiffness = scene.stiffness;
   guide.friction = scene.friction;
   return guide;

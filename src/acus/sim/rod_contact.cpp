@@ -69,11 +69,14 @@ Vec3 tip_axis(const Model& m, const State& s) {
 }
 
 void place_tip(const Model& m, State& s) {
-  const Vec3 gap = s.needle.rod.position.back() - channel_end_now(m, s);
+  RodNeedle& n = s.needle;
+  const Vec3 gap = n.rod.position.back() - channel_end_now(m, s);
   const Vec3 axis = tip_axis(m, s);
-  if (s.tip_elongation > 0.0) return;  // the spring remembers; the cut follows
-  s.tip_elongation = std::min(gap.dot(axis), 0.0);
-  if (!s.punctured) s.needle.tip_offset = across(gap, axis);
+  if (s.tip_elongation <= 0.0) s.tip_elongation = std::min(gap.dot(axis), 0.0);
+  // A spring that is pressed remembers; the cut follows. Across, it holds the tip where it came to rest.
+  if (s.punctured) return;
+  if (!n.tip_rests) n.tip_offset = across(gap, axis);
+  n.tip_rests = s.tip_elongation > 0.0;
 }
 
 // m, from the middle of the tip to the point of its bevel, which is what cuts.
@@ -93,10 +96,10 @@ RodContact tip_contact(const Model& m, State& s) {
   c.point = {m.rod.edges - 1, 1.0};
   c.axis = tip_axis(m, s);
   c.slider = tip_slider(m, s);
-  const Vec3 cuts_at =
-      s.needle.rod.position.back() + (s.channel_depth > 0.0 ? point_from_tip(m, s) : Vec3(Vec3::Zero()));
+  if (s.needle.cut_begun) c.arm = point_from_tip(m, s);
   c.lateral = tip_hold(m, s);
-  c.lateral_elongation = across(cuts_at - channel_end_now(m, s) - s.needle.tip_offset, c.axis);
+  c.lateral_elongation =
+      across(s.needle.rod.position.back() + c.arm - channel_end_now(m, s) - s.needle.tip_offset, c.axis);
   return c;
 }
 
@@ -134,25 +137,29 @@ RodPoint point_in_guide(const Model& m, const State& s, int point, int start) {
 }
 
 RodContact guide_contact(const Model& m, State& s, int point, int start_edge) {
+  GuideHold& hold = s.guide[point];
   RodContact c;
   c.at = &m.guide.nowhere;
   c.point = point_in_guide(m, s, point, start_edge);
   c.axis = m.path.direction;
-  c.slider = coupling::slider_of(m.guide, point, s.guide_elongation[point]);
+  const Vec3 aside = across(needle::place_of(s.needle.rod, c.point) - m.guide.point[point], c.axis);
+  if (!hold.holds) hold = {true, 0.0, aside};
+  c.slider = coupling::slider_of(m.guide, point, hold.elongation);
   c.lateral = m.guide.stiffness * m.guide.length[point];
-  c.lateral_elongation = across(needle::place_of(s.needle.rod, c.point) - m.guide.point[point], c.axis);
-  c.elongation = &s.guide_elongation[point];
+  c.lateral_elongation = aside - hold.offset;
+  c.elongation = &hold.elongation;
   return c;
 }
 
-// The points of the guide that the needle has left forget what they held. Returns that, J: it is friction's.
+// The points of the guide that the needle has left let go of it. Returns what they held along it, J: it is
+// friction's.
 double leave_guide(const Model& m, State& s) {
   double released = 0.0;
   for (int point = 0; point < m.guide.points(); ++point) {
     if (is_in_guide(m, s, point)) continue;
-    double& elongation = s.guide_elongation[point];
+    const double elongation = s.guide[point].elongation;
     released += coupling::stored_energy(coupling::slider_of(m.guide, point, elongation), elongation);
-    elongation = 0.0;
+    s.guide[point] = {};
   }
   return released;
 }
@@ -227,9 +234,31 @@ RodPlace place_rod(const Model& m, const State& s) {
     place.covered_depth = std::clamp(s.channel_depth + s.tip_elongation, 0.0, s.channel_depth);
     last = entry.edge;
   }
-  const Vec3 axis = (to - from).normalized();
-  for (int i = 1; i <= std::min(last, m.rod.edges); ++i)
-    place.bow = std::max(place.bow, across(rod.position[i] - from, axis).norm());
+  const int inside = std::min(last + 1, m.rod.edges + 1);
+  const auto bow_of = [&](int first, int end, const Vec3& a, const Vec3& b) {
+    const Vec3 axis = (b - a).normalized();
+    double most = 0.0;
+    for (int i = first; i < end; ++i) most = std::max(most, across(rod.position[i] - a, axis).norm());
+    return most;
+  };
+  place.bow = bow_of(1, inside, from, to);
+  place.span = place.free_length;
+  place.bow_ratio = place.bow / place.span;
+  if (m.guide.points() == 0) return place;
+  // Above and below the guide, between their own ends.
+  const auto is_above = [&](int node, const Vec3& x) {
+    return m.path.direction.dot(rod.position[node] - x) < 0.0;
+  };
+  int top = 0, bottom = inside - 1;
+  while (top < bottom && is_above(top, m.guide.point.back())) ++top;
+  while (bottom > top && !is_above(bottom, m.guide.point.front())) --bottom;
+  place.bow_ratio = 0.0;
+  for (const auto& [first, end] : {std::pair{0, top}, std::pair{bottom, inside - 1}}) {
+    const double span = (end - first) * m.rod.edge_length.front();
+    if (end - first < 2) continue;
+    const double ratio = bow_of(first + 1, end, rod.position[first], rod.position[end]) / span;
+    if (ratio > place.bow_ratio) place.bow_ratio = ratio, place.span = span;
+  }
   return place;
 }
 
@@ -268,6 +297,8 @@ Vec3 at_contact(const std::vector<double>& unknowns, const RodContact& c) {
 
 Vec3 tissue_rate(const State& s, const RodContact& c) { return coupling::mean(*c.at, s.velocity); }
 
+double turning_moment(const RodContact& c) { return c.axis.dot(c.arm.cross(c.force)); }
+
 Vec3 contact_load(const RodContact& c, const Vec3& way) {
   return coupling::advance(c.slider, way.dot(c.axis)).force * c.axis +
          c.lateral * (c.lateral_elongation + across(way, c.axis));
@@ -300,6 +331,9 @@ coupling::NeedleSlide slide_rod(const Model& m, State& s, const Scratch& w) {
     *c.elongation = step.elongation;
     if (&c == &w.rod.contacts.front()) {
       s.ledger.work_cutting += step.dissipated;
+      // The spring has given this off as the arm turned, when the rod was laid over it again.
+      s.ledger.work_numerical -=
+          m.scene.run.time_step * turning_moment(c) * s.needle.rod.rate[needle::spin_at(c.point.edge)];
       all.tip = step;
     } else {
       s.ledger.work_friction += step.dissipated;
@@ -315,9 +349,10 @@ bool cut_along_tip(const Model& m, State& s, const coupling::SliderStep& tip) {
   if (slip <= 0.0 || s.through || m.rigid()) return false;
   RodNeedle& n = s.needle;
   const Vec3 point = point_from_tip(m, s);
-  if (s.channel_depth == 0.0) {  // the cut begins under the point, wherever it touched
+  if (!n.cut_begun) {  // under the point, wherever it touched
     n.channel_end += n.tip_offset + point;
     n.tip_offset.setZero();
+    n.cut_begun = true;
   }
   const auto held = m.locator->locate(n.channel_end, m.scene.contact.contact_radius);
   const Vec3 axis = tangent_at(s, m.rod.edges - 1);

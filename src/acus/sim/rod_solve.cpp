@@ -50,6 +50,8 @@ void add_outside_to(std::vector<double>& residual, const Model& m, const State& 
   const double h = m.scene.run.time_step;
   for (const RodContact& c : w.rod.contacts)
     add_to_rod(residual, c, h * (c.force - h * c.stiffness * at_contact(s.needle.rod.rate, c)));
+  const RodContact& tip = w.rod.contacts.front();
+  residual[needle::spin_at(tip.point.edge)] += h * turning_moment(tip);
   if (m.grip_compliance > 0.0) add_at(residual, 0, h * grip_pull(m, s, hub) * m.path.direction);
 }
 
@@ -263,7 +265,8 @@ RodOutcome solve_with_rod(const Model& m, State& s, Scratch& w, const needle::Po
     }
     if (!factor_rod(m, s, w, hub)) break;
     // At a balance from which the rod is about to give way: it leaves it with each pass, by little more.
-    const bool giving_way = settled && pass >= easy_passes && left > left_before && left < slight_force;
+    const bool giving_way = settled && pass >= easy_passes && left > left_before &&
+                            left > 4.0 * force_error && left < slight_force;
     if (settled) left_before = left;
     if (!m.rigid()) w.velocity_tried = s.velocity;
     w.rod.before = s.needle.rod;

@@ -50,11 +50,9 @@ void account_rod(const Model& m, State& s, const Scratch& w, const Before& befor
 }
 
 Bent bent_of(const Model& m, State& s, const RodPlace& place) {
-  const double span = weakest_span(m.scene, place.free_length).length;
-  const double bow_ratio = place.bow / span;
-  s.steps_straight = bow_ratio < straight_ratio ? s.steps_straight + 1 : 0;
-  return rod_bent(bow_ratio, static_cast<double>(s.steps_straight) * m.scene.run.time_step,
-                  needle::slowest_period(m.needle, span));
+  s.steps_straight = place.bow_ratio < straight_ratio ? s.steps_straight + 1 : 0;
+  return rod_bent(place.bow_ratio, static_cast<double>(s.steps_straight) * m.scene.run.time_step,
+                  needle::slowest_period(m.needle, place.span));
 }
 
 Health health_of(const Model& m, const State& s, const RodPlace& place) {

@@ -56,7 +56,7 @@ State initial_state(const Model& m) {
   s.needle.hub = hub_pose(m, s.hub_travel);
   if (m.bends_freely()) s.needle.rod = needle::unloaded_rod(m.rod, s.needle.hub);
   s.needle.channel_end = m.path.entry;
-  s.guide_elongation.assign(m.guide.points(), 0.0);
+  s.guide.resize(m.guide.points());
   if (m.rigid()) return s;
   s.position = m.mesh.nodes;
   s.velocity.assign(static_cast<std::size_t>(m.tissue.free_nodes) * numeric::node_stride, 0.0);

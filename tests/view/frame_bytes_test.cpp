@@ -88,8 +88,9 @@ TEST(FrameBytes, needle_goes_from_hub_to_tip_and_nodes_keep_their_order) {
   const ReadBack read(bytes);
   const Vec3 hub = simulation.entry() + (simulation.frame().hand_travel - 0.2) * simulation.direction();
   expect_near(read.needle(0), hub);
-  expect_near(read.needle(read.points() - 1),
-              simulation.entry() + simulation.frame().tip_depth * simulation.direction());
+  const Vec3 tip = read.needle(read.points() - 1) - simulation.entry();
+  EXPECT_NEAR(tip.dot(simulation.direction()), simulation.frame().tip_depth, 1e-6);
+  EXPECT_NEAR(tip.cross(simulation.direction()).norm(), simulation.frame().tip_aside, 1e-6);
   ASSERT_EQ(read.nodes(), simulation.tissue().nodes.size());
   EXPECT_EQ(bytes.size(), 272 + 12 * read.points() + 16 * read.nodes());
   for (std::size_t i = 0; i < read.nodes(); ++i) expect_near(read.node(i), simulation.positions()[i]);

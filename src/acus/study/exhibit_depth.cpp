@@ -108,7 +108,7 @@ void show_depth(Page& page, const GroupRecords& group) {
   page.begin_row();
   for (const Panel& panel : panels)
     page.figure(figure_name(group, panel, "depth"), drawn(depth_plot(panel)),
-                "What the hand carries when the bow outside has come to 2 % of the free length.", {});
+                "What the hand carries when the bow outside has come to 5 % of the free length.", {});
   page.end_row();
   for (const Panel& panel : panels) page.table(depth_table(panel));
 }

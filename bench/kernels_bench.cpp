@@ -4,6 +4,7 @@
 
 #include "acus/needle/column.h"
 #include "acus/needle/rod_motion.h"
+#include "acus/sim/simulation.h"
 #include "acus/sim/step.h"
 
 namespace {
@@ -149,6 +150,25 @@ void rod_factorisation(benchmark::State& state) {
   count(state, r.rod.edges);
 }
 BENCHMARK(rod_factorisation);
+
+// A whole step of a rod that buckles against a stop, its books included.
+void rod_step(benchmark::State& state) {
+  Scene scene;
+  scene.tissue.rigid = true;
+  Simulation simulation = Simulation::build(scene).value();
+  double travel = 0.0;
+  constexpr double advance = 10e-6, farthest = 40e-3;  // m: 10 mm/s
+  for (auto _ : state) {
+    if (travel > farthest) {
+      state.PauseTiming();
+      simulation = Simulation::build(scene).value();
+      travel = 0.0;
+      state.ResumeTiming();
+    }
+    simulation.step(travel += advance);
+  }
+}
+BENCHMARK(rod_step);
 
 void rod_solution(benchmark::State& state) {
   MovingRod r;

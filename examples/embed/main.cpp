@@ -1,4 +1,4 @@
-// Pushes a bare column against a fixed stop and prints the force that it settles at.
+// Pushes a bare needle against a fixed stop and prints the force that it settles at.
 #include <acus/acus.h>
 
 #include <cstdio>

@@ -56,6 +56,7 @@ Session session_of(unsigned number) {
   t.jitter = any(0.0, 0.3);
   t.seed = number;
 
+  t.scene.needle_model = NeedleModel::column;  // whose step may be as long as the slowest word
   t.scene.needle.length = any(0.1, 0.3);
   t.scene.contact.rupture_force = any(0.3, 1.2);
   t.scene.tissue.tetrahedra = 200;

@@ -91,6 +91,7 @@ SimulatedDevice hand_that_pushes(double speed, double begin) {
 
 Simulation testing_machine() {
   Scene scene;
+  scene.needle_model = NeedleModel::column;  // which folds
   scene.tissue.rigid = true;
   Result<Simulation> simulation = Simulation::build(held_by(*find_device_limits("touch"), scene));
   EXPECT_TRUE(simulation.ok());

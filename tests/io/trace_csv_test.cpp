@@ -54,6 +54,13 @@ TEST(TraceCsv, every_value_stands_under_its_own_name_and_reads_back_to_the_bit) 
       {"work_relaxation_J", &frame.ledger.work_relaxation},
       {"energy_residual_J", &frame.energy_residual},
       {"tip_aside_m", &frame.tip_aside},
+      {"shaft_force_N", &frame.shaft_force},
+      {"hub_force_x_N", &frame.hub_force.x()},
+      {"hub_force_y_N", &frame.hub_force.y()},
+      {"hub_force_z_N", &frame.hub_force.z()},
+      {"hub_moment_x_Nm", &frame.hub_moment.x()},
+      {"hub_moment_y_Nm", &frame.hub_moment.y()},
+      {"hub_moment_z_Nm", &frame.hub_moment.z()},
   };
   for (std::size_t i = 0; i < numbers.size(); ++i)
     *numbers[i].second = std::sqrt(2.0 + static_cast<double>(i)) * 1e-3;

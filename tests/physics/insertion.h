@@ -38,8 +38,9 @@ struct Insertion {
   }
 };
 
-// Steps the scene through its hand's whole movement, or until `stop` says so.
-inline Insertion insert(const Scene& scene, const std::function<bool(const Frame&)>& stop = {}) {
+// Steps the scene through its hand's whole movement, or until `stop` says so or it comes to `end`.
+inline Insertion insert(const Scene& scene, const std::function<bool(const Frame&)>& stop = {},
+                        Health end = Health::good) {
   auto simulation = Simulation::build(scene);
   if (!simulation) {
     ADD_FAILURE() << simulation.error().sentence;
@@ -50,6 +51,7 @@ inline Insertion insert(const Scene& scene, const std::function<bool(const Frame
   Hand hand(scene.hand, scene.run.time_step);
   while (const std::optional<double> travel = hand.next(simulation->frame().hand_force)) {
     const Frame& frame = simulation->step(*travel);
+    if (end != Health::good && frame.health == end) break;
     run.frames.push_back(frame);
     if (frame.health != Health::good) {
       ADD_FAILURE() << "the step to " << frame.time << " s failed with health "

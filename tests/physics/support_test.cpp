@@ -107,17 +107,45 @@ TEST(Guide, rubs_along_the_needle_that_is_in_it) {
     ASSERT_GE(run.frames[i].ledger.work_friction, run.frames[i - 1].ledger.work_friction - 1e-15);
 }
 
-// A hand that comes down to the guide pushes it together.
+// A hand that comes down to the guide pushes it together, and a needle that would buckle without it goes in.
 TEST(Guide, lets_the_hand_pass) {
-  Scene scene = table_one(0.1, 80e-3, 100e-3, 600);
-  scene.contact.rupture_force = 0.5;
-  scene.guide = {.length = 50e-3};
+  Scene scene = table_one(0.12, 90e-3, 100e-3, 600);
+  scene.contact.rupture_force = 2.0;
+  scene.contact.friction = 10.0;
+  EXPECT_TRUE(insert(scene).first(EventKind::buckling));
+  scene.guide = {.length = 60e-3, .friction = 5.0};
   const Insertion run = insert(scene);
-  EXPECT_NEAR(run.frames.back().hand_travel, 80e-3, 1e-6);
+  EXPECT_NEAR(run.frames.back().hand_travel, 90e-3, 1e-6);
   EXPECT_FALSE(run.first(EventKind::buckling));
+  // As its nodes slide past the points of a stiff guide, springs are laid over other places of the rod; what
+  // that changes is in this line, both ways.
+  for (const Frame& f : run.frames) ASSERT_GE(f.ledger.work_numerical, -2e-3 * f.ledger.work_hand) << f.time;
 }
 
-// What `acus check` advises against buckling does help, and a little less does not: 200 mm against 1 N.
+// Caught from aside, a needle is held where it was caught: nothing throws it to the middle.
+TEST(Guide, takes_a_needle_as_it_finds_it) {
+  Scene scene = table_one(0.15, 1e-3, 20e-3, 600);
+  scene.guide = {.length = 50e-3, .gap = 20e-3};
+  auto simulation = Simulation::build(scene);
+  ASSERT_TRUE(simulation);
+  needle::Pose hub = simulation->hub();
+  const Vec3 aside = hub.director, along = hub.tangent;
+  const auto lead = [&](const Vec3& by, int steps) {
+    for (int i = 0; i < steps; ++i) {
+      hub.position += by / steps;
+      ASSERT_EQ(simulation->step(hub).health, Health::good);
+      ASSERT_GT(simulation->frame().ledger.work_numerical, -1e-9);
+    }
+  };
+  lead(-0.1 * along, 500);  // out of the guide, aside, and down again
+  lead(5e-3 * aside, 100);
+  lead(0.08 * along, 500);
+  EXPECT_LT(simulation->frame().hub_force.norm(), 0.05);
+}
+
+// What `acus check` advises against buckling does help, and a tenth less does not: 200 mm against 1 N. (A bow
+// has inertia: pushed at 10 mm/s a span carries up to a tenth more than its critical load before it gives
+// way.)
 TEST(Remedy, of_a_grip_or_a_sleeve_keeps_the_needle_straight) {
   Scene scene = table_one(0.2, 25e-3, 10e-3, 1000);
   const Prediction p = predict(scene);
@@ -126,7 +154,7 @@ TEST(Remedy, of_a_grip_or_a_sleeve_keeps_the_needle_straight) {
     const Insertion run = insert(s, [](const Frame& f) { return f.inserted_length > 0.0; });
     return run.first(EventKind::puncture) && !run.first(EventKind::buckling);
   };
-  for (const double more : {2e-3, -8e-3}) {
+  for (const double more : {2e-3, -15e-3}) {
     Scene held = scene;
     held.hand.grip = 0.2 - p.longest_straight + more;
     EXPECT_EQ(goes_in_straight(held), more > 0.0) << more;

@@ -27,6 +27,11 @@ TEST_P(StepAllocation, is_none_through_contact_puncture_and_withdrawal) {
   std::tie(scene.tissue.element, scene.contact.coupling, scene.needle_model, scene.tissue.relaxation_share) =
       GetParam();
   scene.contact.rupture_force = 0.5;  // N
+  if (scene.needle_model == NeedleModel::rod) {
+    scene.needle.bevel_degrees = 30.0;
+    scene.hand.grip = 20e-3;
+    scene.guide = {.length = 80e-3, .gap = 10e-3, .friction = 1.0};
+  }
   auto built = Simulation::build(scene);
   ASSERT_TRUE(built.ok()) << built.error().sentence;
   Simulation simulation = std::move(*built);

@@ -98,6 +98,7 @@ TEST(HandStiffness, is_nothing_before_the_first_step) {
 // In the testing machine it is the column's: EA / L of a straight one, in the limit of no imperfection.
 TEST(HandStiffness, of_a_straight_column_is_its_axial_stiffness) {
   Scene scene;
+  scene.needle_model = NeedleModel::column;
   scene.tissue.rigid = true;
   scene.needle.length = 0.1;
   scene.needle.imperfection = 0.0;

@@ -21,14 +21,16 @@ const char* const trace_head =
     "m,"
     "critical_load_N,deflection_m,stage,work_hand_J,energy_tissue_J,energy_needle_J,energy_kinetic_J,"
     "work_cutting_J,work_friction_J,work_damping_J,work_numerical_J,energy_residual_J,solver_iterations,"
-    "energy_contact_J,work_snap_J,work_relaxation_J,tip_aside_m\n";
+    "energy_contact_J,work_snap_J,work_relaxation_J,tip_aside_m,shaft_force_N,hub_force_x_N,hub_force_y_N,"
+    "hub_force_z_N,"
+    "hub_moment_x_Nm,hub_moment_y_Nm,hub_moment_z_Nm\n";
 
 // A row of a trace at a time, travel and force; of the work of the hand a quarter each went into tissue and
 // needle and a half into cutting; the tip is a metre deep for each joule.
 std::string trace_row(const std::string& time_travel_force, double work) {
   std::ostringstream row;
   row << time_travel_force << ",0,0," << work << ",0,0.2,0.3,0,contact," << work << ',' << work / 4 << ','
-      << work / 4 << ",0," << work / 2 << ",0,0,0,0,1,0,0,0,0\n";
+      << work / 4 << ",0," << work / 2 << ",0,0,0,0,1,0,0,0,0,0,0,0,0,0,0,0\n";
   return row.str();
 }
 

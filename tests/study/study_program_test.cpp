@@ -174,6 +174,8 @@ TEST(StudyProgram, the_report_is_whole_and_needs_nothing_from_outside) {
 TEST(StudyProgram, a_failed_run_is_left_out_of_the_report_of_the_others) {
   const fs::path folder = fresh_folder(), out = folder / "out";
   const std::string study = write_text(folder / "columns.toml", R"(
+[scene.needle]
+model = "column"
 [scene.tissue]
 rigid = true
 [scene.hand]

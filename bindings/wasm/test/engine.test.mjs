@@ -56,8 +56,7 @@ test("scene that cannot be is a sentence from runScene too", async () => {
 test("names of numbers are the columns of the trace", async () => {
   const table = await fileOfTree("src/acus/io/trace_columns.cpp");
   const columns = [...table.matchAll(/Column<Frame>\{"(\w+)"/g)].map((match) => match[1]);
-  assert.deepEqual(numberNames.slice(0, columns.length), columns);
-  assert.equal(numberNames.length, 26);
+  assert.deepEqual([...numberNames], columns);
 });
 
 // Through the worker's own code, with a port instead of a page.

@@ -20,12 +20,6 @@ void add_weight(Attachment& out, int node, double weight, int free_nodes) {
   out.weight.push_back(weight);
 }
 
-// Two unit vectors across the axis.
-std::pair<Vec3, Vec3> across(const Vec3& axis) {
-  const Vec3 u = axis.unitOrthogonal();
-  return {u, axis.cross(u)};
-}
-
 }  // namespace
 
 void embed_point_into(Attachment& out, const mesh::Locator& locator, const Vec3& point, double snap,
@@ -42,21 +36,13 @@ int rings_for(double radius, double shortest_edge) {
 void embed_disc_into(Attachment& out, const mesh::Locator& locator, const Vec3& centre, const Vec3& axis,
                      double radius, int free_nodes, int rings) {
   out.clear();
-  const auto [u, v] = across(axis);
   int inside = 0;
-  for (int ring = 1; ring <= rings; ++ring) {
-    const int ring_points = 4 * ring;
-    // Half of the ring's area lies inside this radius.
-    const double r = radius * std::sqrt((points_of(ring) - 0.5 * ring_points) / points_of(rings));
-    for (int i = 0; i < ring_points; ++i) {
-      const double angle = 2.0 * std::numbers::pi * (i + 0.5) / ring_points;
-      const Vec3 point = centre + r * (numeric::cos(angle) * u + numeric::sin(angle) * v);
-      const auto at = locator.locate(point, radius);  // a curved surface may pass below or above the disc
-      if (!at) continue;
-      ++inside;
-      for (std::size_t c = 0; c < 4; ++c) add_weight(out, at->nodes[c], at->weights[c], free_nodes);
-    }
-  }
+  visit_disc(centre, axis, radius, rings, [&](const Vec3& point) {
+    const auto at = locator.locate(point, radius);  // a curved surface may pass below or above the disc
+    if (!at) return;
+    ++inside;
+    for (std::size_t c = 0; c < 4; ++c) add_weight(out, at->nodes[c], at->weights[c], free_nodes);
+  });
   for (double& w : out.weight) w /= inside;
 }
 

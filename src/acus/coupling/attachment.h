@@ -5,11 +5,14 @@
 // so action equals reaction and the coupling makes no energy.
 #pragma once
 
+#include <cmath>
+#include <numbers>
 #include <span>
 #include <vector>
 
 #include "acus/base/vec.h"
 #include "acus/mesh/locator.h"
+#include "acus/numeric/circular.h"
 #include "acus/numeric/node_vector.h"
 
 namespace acus::coupling {
@@ -31,6 +34,21 @@ inline constexpr int fewest_rings = 3;
 inline constexpr int most_rings = 16;
 inline constexpr int points_of(int rings) { return 2 * rings * (rings + 1); }
 int rings_for(double radius, double shortest_edge);
+
+// Calls `visit` with each of those points, ring by ring.
+template <class Visit>
+void visit_disc(const Vec3& centre, const Vec3& axis, double radius, int rings, const Visit& visit) {
+  const Vec3 u = axis.unitOrthogonal(), v = axis.cross(u);
+  for (int ring = 1; ring <= rings; ++ring) {
+    const int ring_points = 4 * ring;
+    // Half of the ring's area lies inside this radius.
+    const double r = radius * std::sqrt((points_of(ring) - 0.5 * ring_points) / points_of(rings));
+    for (int i = 0; i < ring_points; ++i) {
+      const double angle = 2.0 * std::numbers::pi * (i + 0.5) / ring_points;
+      visit(Vec3(centre + r * (numeric::cos(angle) * u + numeric::sin(angle) * v)));
+    }
+  }
+}
 
 // The point's own tetrahedron, barycentric. Nothing when it lies farther than `snap` [m] outside the mesh.
 void embed_point_into(Attachment& out, const mesh::Locator& locator, const Vec3& point, double snap,

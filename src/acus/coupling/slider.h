@@ -6,6 +6,8 @@
 //   f (e1 - e0 + slip) = k e1^2 / 2 - k e0^2 / 2  +  f slip  +  k (e1 - e0)^2 / 2.
 #pragma once
 
+#include <utility>
+
 namespace acus::coupling {
 
 // Which branch a step takes. `open`: a contact (lower = 0) that is not touching; its elongation is minus the
@@ -53,6 +55,7 @@ struct SliderStep {
   double slip = 0.0;        // m, signed
   double dissipated = 0.0;  // J, force times slip
   double numerical = 0.0;   // J, lost by the implicit step
+  double released = 0.0;    // J, that the spring let go because its bound had fallen, as at a puncture
 };
 
 // What the sliders of a needle did in a step.
@@ -79,6 +82,8 @@ inline SliderStep advance(const Slider& slider, double s) {
   step.dissipated = step.force * step.slip;
   step.numerical = step.force * s - step.dissipated - stored_energy(slider, step.elongation) +
                    stored_energy(slider, slider.elongation);
+  if (grip == Grip::slip_forward && slider.stiffness * slider.elongation > slider.upper)
+    std::swap(step.numerical, step.released);  // however short the step
   return step;
 }
 

@@ -11,7 +11,7 @@ struct Ledger {
   double energy_kinetic = 0.0;  // J, tissue and rod
   double work_cutting = 0.0;    // J, never decreases; of a bevel, less what its shaft spreads the tissue with
   double work_friction = 0.0;   // J, never decreases
-  double work_damping = 0.0;    // J, Rayleigh
+  double work_damping = 0.0;    // J, Rayleigh, and what the tissue by the tip lets go at a puncture
   double work_relaxation = 0.0;  // J, never decreases; where the tissue relaxes
   double work_numerical = 0.0;   // J, dissipated by the integrator, from its own formulas
   // J, given off where the needle jumps from one equilibrium to another (snaps straight): a real needle goes

@@ -41,10 +41,11 @@ inline double bending_rigidity(const NeedleSpec& n) {  // EI, N m^2
 inline double axial_rigidity(const NeedleSpec& n) { return n.youngs_modulus * section_area(n); }  // EA, N
 inline double mass(const NeedleSpec& n) { return n.density * section_area(n) * n.length; }        // kg
 
-// s, of the slowest vibration of a part of that length [m] that is pinned at both ends: (2 / pi) l^2
-// sqrt(rho A / EI) (Blevins 1979, table 8-1).
+// s, of the slowest vibration of a part of that length [m], 2 pi / z^2 l^2 sqrt(rho A / EI) with z = 1.8751
+// where the tip is free (Blevins 1979, table 8-1), and else at most that between two pins, z = pi.
 inline double slowest_period(const NeedleSpec& n, double length) {
-  return 2.0 / std::numbers::pi * length * length *
+  const double z = n.support == Support::clamped_free ? 1.8751 : std::numbers::pi;
+  return 2.0 * std::numbers::pi / (z * z) * length * length *
          std::sqrt(n.density * section_area(n) / bending_rigidity(n));
 }
 

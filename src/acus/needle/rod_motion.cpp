@@ -1,6 +1,15 @@
 #include "acus/needle/rod_motion.h"
 
 namespace acus::needle {
+namespace {
+
+void weigh(RodMotion& m, const Rod& rod, const RodState& s, double h) {
+  for (int i = 0; i < rod.unknowns(); ++i)
+    m.residual[i] = inertia(rod, i) * (m.rate_before[i] - s.rate[i]) + h * m.force[i];
+}
+
+}  // namespace
+
 RodMotion build_rod_motion(const Rod& rod) {
   RodMotion m;
   m.matrix = RodMatrix(rod.unknowns());
@@ -28,15 +37,17 @@ void begin_step(RodMotion& m, const Rod& rod, RodState& s, const Pose& hub, doub
   displace(s, rod, m.change);
 }
 
+void load(RodMotion& m, const Rod& rod, const RodState& s, const Pose& hub, const Pose& tip, double h) {
+  m.energy = rod_forces_into(m.force, rod, s, hub, tip);
+  weigh(m, rod, s, h);
+}
+
 void linearise(RodMotion& m, const Rod& rod, const RodState& s, const Pose& hub, const Pose& tip, double h,
                double compression) {
   m.matrix.clear();
   m.energy = rod_forces_into(m.force, m.matrix, h * h, compression, rod, s, hub, tip);
-  for (int i = 0; i < rod.unknowns(); ++i) {
-    const double mass = inertia(rod, i);
-    m.matrix.add(i, i, mass);
-    m.residual[i] = mass * (m.rate_before[i] - s.rate[i]) + h * m.force[i];
-  }
+  for (int i = 0; i < rod.unknowns(); ++i) m.matrix.add(i, i, inertia(rod, i));
+  weigh(m, rod, s, h);
 }
 
 void hold_hub(RodMotion& m) {

@@ -29,8 +29,10 @@ double inertia_product(const Rod& rod, const std::vector<double>& rate);
 // rate, so that nothing is squeezed.
 void begin_step(RodMotion& motion, const Rod& rod, RodState& state, const Pose& hub, double h);
 
-// Matrix, forces, energy and right-hand side at the iterate, without anything from outside. `compression` as
-// in rod_forces.h.
+// Forces, energy and right-hand side at the iterate, without anything from outside.
+void load(RodMotion& motion, const Rod& rod, const RodState& state, const Pose& hub, const Pose& tip,
+          double h);
+// The same, and the matrix. `compression` as in rod_forces.h.
 void linearise(RodMotion& motion, const Rod& rod, const RodState& state, const Pose& hub, const Pose& tip,
                double h, double compression);
 

@@ -4,12 +4,14 @@
 #include <numbers>
 #include <numeric>
 
+#include "acus/coupling/punch.h"
 #include "acus/mesh/block.h"
 #include "acus/mesh/order.h"
 #include "acus/mesh/quality.h"
 #include "acus/mesh/refine.h"
 #include "acus/numeric/circular.h"
 #include "acus/sim/hand.h"
+#include "acus/sim/prediction.h"
 #include "acus/sim/support.h"
 
 namespace acus {
@@ -94,11 +96,22 @@ coupling::Guide guide_above_entry(const Model& m) {
   const GuideScene& scene = m.scene.guide;
   const Vec3 up = -m.path.direction;
   constexpr double per_edge = 2.0;  // of the rod, so that none slips through
-  coupling::Guide guide = coupling::build_guide(m.path.entry + scene.gap * up, up, scene.length,
-                                                m.rod.edge_length.front() / per_edge);
+  // Farther up there is never a needle: a hand may go back by as much as is in front of it.
+  const double length = std::min(scene.length, 2.0 * m.needle.length);
+  coupling::Guide guide =
+      coupling::build_guide(m.path.entry + scene.gap * up, up, length, m.rod.edge_length.front() / per_edge);
   guide.stiffness = scene.stiffness;
   guide.friction = scene.friction;
   return guide;
+}
+
+// As at the entry, all the way: deeper, where the tissue surrounds the tip, about half as much is missing.
+double tip_stiffness(const Model& m) {
+  const ContactScene& c = m.scene.contact;
+  if (!c.near_field || c.coupling == Coupling::nearest_node) return c.stiffness;
+  const double missing = coupling::missing_share(m.mesh, *m.locator, m.path.entry, m.path.direction,
+                                                 c.contact_radius, m.disc_rings);
+  return 1.0 / (1.0 / c.stiffness + missing * half_space_sink(1.0, m.scene.tissue, c.contact_radius));
 }
 
 // The system matrix at rest, on a coarse grid.
@@ -154,6 +167,7 @@ Result<Model> build_model(const Scene& scene, const mesh::TetMesh* mesh) {
   if (scene.needle.bevel_degrees > 0.0)
     m.point_aside =
         scene.contact.bevel_share * scene.needle.radius * numeric::cos(scene.needle.bevel_degrees * degree);
+  m.tip_stiffness = scene.contact.stiffness;
   if (m.rigid()) {
     m.path = {Vec3::Zero(), Vec3(0.0, 0.0, -1.0), 0.0};
     m.guide = guide_above_entry(m);
@@ -177,6 +191,7 @@ Result<Model> build_model(const Scene& scene, const mesh::TetMesh* mesh) {
   m.coarse = coarse_space_at_rest(m);
   m.locator.emplace(m.mesh);
   m.disc_rings = coupling::rings_for(scene.contact.contact_radius, mesh::quality(m.mesh).shortest_edge);
+  m.tip_stiffness = tip_stiffness(m);
   attach_tip_into(m.entry, m, 0.0);
   if (m.entry.empty())
     return Error{"tissue: the entry lies in the part that is held fixed; choose another target"};

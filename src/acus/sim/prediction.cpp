@@ -106,12 +106,9 @@ Prediction predict(const Scene& scene) {
                        : (travel > 0.0 ? travel / p.sink * rupture_force : 0.0);
   if (scene.hand.kind == HandKind::person) p.highest_load = std::min(p.highest_load, scene.hand.force_limit);
   p.longest_straight = span.length * std::sqrt(p.critical_load / rupture_force);
-  Scene sleeved = scene;
-  sleeved.guide = {.length = units::mm};  // as short as one likes
-  const Span above = weakest_span(sleeved, scene.needle.length);
-  p.longest_in_sleeve = above.length * std::sqrt(needle::critical_load(needle::bending_rigidity(scene.needle),
-                                                                       above.length, above.support) /
-                                                 rupture_force);
+  const double between_clamps =
+      needle::critical_load(needle::bending_rigidity(scene.needle), 1.0, above_guide(scene.needle.support));
+  p.longest_in_sleeve = std::sqrt(between_clamps / rupture_force);
   p.least_radius = scene.needle.radius * std::sqrt(std::sqrt(rupture_force / p.critical_load));
   if (scene.tissue.rigid || p.highest_load < rupture_force)
     p.outcome = Outcome::never_punctured;

@@ -31,7 +31,7 @@ struct Prediction {
 
 // The exact elastica gives the loads after buckling. The half-space sinks less than a thin block on a
 // slippery bed and more than a thick block on a fixed one; dynamics, friction and the needle's imperfection
-// are left out.
+// are left out; so is what rubs in a guide.
 Prediction predict(const Scene& scene);
 
 // What is to be expected, for people: "buckles at 0.642 N, the tissue ruptures at 1.00 N: this needle ...".

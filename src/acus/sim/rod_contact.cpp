@@ -60,7 +60,7 @@ double tip_hold(const Model& m, const State& s) {
     return cells > 0 && s.tip_elongation >= 0.0 ? s.needle.cell_lateral[cells - 1] * coupling::channel_cell
                                                 : 0.0;
   const bool rests = s.tip_elongation > 0.0 && m.scene.needle.support != needle::Support::clamped_free;
-  return rests ? m.scene.contact.stiffness : 0.0;
+  return rests ? m.tip_stiffness : 0.0;
 }
 
 // The surface is pressed along the path, whichever way the tip points; a cut goes where it points.
@@ -69,11 +69,14 @@ Vec3 tip_axis(const Model& m, const State& s) {
 }
 
 void place_tip(const Model& m, State& s) {
-  const Vec3 gap = s.needle.rod.position.back() - channel_end_now(m, s);
+  RodNeedle& n = s.needle;
+  const Vec3 gap = n.rod.position.back() - channel_end_now(m, s);
   const Vec3 axis = tip_axis(m, s);
-  if (s.tip_elongation > 0.0) return;  // the spring remembers; the cut follows
-  s.tip_elongation = std::min(gap.dot(axis), 0.0);
-  if (!s.punctured) s.needle.tip_offset = across(gap, axis);
+  if (s.tip_elongation <= 0.0) s.tip_elongation = std::min(gap.dot(axis), 0.0);
+  // A spring that is pressed remembers; the cut follows. Across, it holds the tip where it came to rest.
+  if (s.punctured) return;
+  if (!n.tip_rests) n.tip_offset = across(gap, axis);
+  n.tip_rests = s.tip_elongation > 0.0;
 }
 
 // m, from the middle of the tip to the point of its bevel, which is what cuts.
@@ -93,10 +96,10 @@ RodContact tip_contact(const Model& m, State& s) {
   c.point = {m.rod.edges - 1, 1.0};
   c.axis = tip_axis(m, s);
   c.slider = tip_slider(m, s);
-  const Vec3 cuts_at =
-      s.needle.rod.position.back() + (s.channel_depth > 0.0 ? point_from_tip(m, s) : Vec3(Vec3::Zero()));
+  if (s.needle.cut_begun) c.arm = point_from_tip(m, s);
   c.lateral = tip_hold(m, s);
-  c.lateral_elongation = across(cuts_at - channel_end_now(m, s) - s.needle.tip_offset, c.axis);
+  c.lateral_elongation =
+      across(s.needle.rod.position.back() + c.arm - channel_end_now(m, s) - s.needle.tip_offset, c.axis);
   return c;
 }
 
@@ -119,27 +122,44 @@ bool is_in_guide(const Model& m, const State& s, int point) {
   return depth(s.needle.rod.position.front()) <= 0.0 && depth(s.needle.rod.position.back()) >= 0.0;
 }
 
+// Where the rod passes a point of the guide: the first place from `start` towards the hub that is level with
+// it. A bow that hangs down beside the guide comes later and is not taken for it.
+RodPoint point_in_guide(const Model& m, const State& s, int point, int start) {
+  const needle::RodState& rod = s.needle.rod;
+  const auto depth = [&](int node) {
+    return m.path.direction.dot(rod.position[node] - m.guide.point[point]);
+  };
+  int j = start;
+  while (j > 0 && depth(j) > 0.0) --j;
+  while (j + 1 < m.rod.edges && depth(j + 1) < 0.0) ++j;
+  const double before = depth(j), behind = depth(j + 1);
+  return {j, behind > before ? std::clamp(-before / (behind - before), 0.0, 1.0) : 0.0};
+}
+
 RodContact guide_contact(const Model& m, State& s, int point, int start_edge) {
-  const Vec3& y = m.guide.point[point];
+  GuideHold& hold = s.guide[point];
   RodContact c;
   c.at = &m.guide.nowhere;
-  c.point = nearest_point(m, s, y, start_edge);
-  c.axis = tangent_at(s, c.point.edge);
-  c.slider = coupling::slider_of(m.guide, point, s.guide_elongation[point]);
+  c.point = point_in_guide(m, s, point, start_edge);
+  c.axis = m.path.direction;
+  const Vec3 aside = across(needle::place_of(s.needle.rod, c.point) - m.guide.point[point], c.axis);
+  if (!hold.holds) hold = {true, 0.0, aside};
+  c.slider = coupling::slider_of(m.guide, point, hold.elongation);
   c.lateral = m.guide.stiffness * m.guide.length[point];
-  c.lateral_elongation = across(needle::place_of(s.needle.rod, c.point) - y, c.axis);
-  c.elongation = &s.guide_elongation[point];
+  c.lateral_elongation = aside - hold.offset;
+  c.elongation = &hold.elongation;
   return c;
 }
 
-// The points of the guide that the needle has left forget what they held. Returns that, J: it is friction's.
+// The points of the guide that the needle has left let go of it. Returns what they held along it, J: it is
+// friction's.
 double leave_guide(const Model& m, State& s) {
   double released = 0.0;
   for (int point = 0; point < m.guide.points(); ++point) {
     if (is_in_guide(m, s, point)) continue;
-    double& elongation = s.guide_elongation[point];
+    const double elongation = s.guide[point].elongation;
     released += coupling::stored_energy(coupling::slider_of(m.guide, point, elongation), elongation);
-    elongation = 0.0;
+    s.guide[point] = {};
   }
   return released;
 }
@@ -178,12 +198,23 @@ void add_cell(const Model& m, State& s, const Vec3& direction) {
   n.cell_point[cell] = point;
   const auto held = m.locator->locate(point, m.scene.contact.contact_radius);
   coupling::NearField near;  // outside of the mesh nothing holds
-  if (held)
-    near = coupling::near_field(tissue::shear_modulus(m.material()), m.scene.tissue.poisson_ratio,
-                                spacing_across(m, held->tet, direction), m.scene.needle.radius);
+  if (held) {
+    const double spacing = m.scene.contact.near_field ? spacing_across(m, held->tet, direction) : 0.0;
+    near = coupling::near_field(tissue::shear_modulus(m.material()), m.scene.tissue.poisson_ratio, spacing,
+                                m.scene.needle.radius);
+  }
   n.cell_lateral[cell] = near.lateral;
   n.channel.stiffness[cell] = near.axial;
   ++n.channel.count;
+}
+
+// Where a short way through deformed tissue leads at rest. Tissue that is crumpled under the tip, so that it
+// would lead aside or back, says nothing.
+Vec3 way_at_rest(const Mat3& F, const Vec3& way) {
+  if (F.determinant() < 0.01) return way;
+  const Vec3 at_rest = F.inverse() * way;
+  constexpr double crumpled = 0.5;  // cosine of the turn
+  return at_rest.dot(way) > crumpled * at_rest.norm() * way.norm() ? at_rest : way;
 }
 
 }  // namespace
@@ -203,9 +234,31 @@ RodPlace place_rod(const Model& m, const State& s) {
     place.covered_depth = std::clamp(s.channel_depth + s.tip_elongation, 0.0, s.channel_depth);
     last = entry.edge;
   }
-  const Vec3 axis = (to - from).normalized();
-  for (int i = 1; i <= std::min(last, m.rod.edges); ++i)
-    place.bow = std::max(place.bow, across(rod.position[i] - from, axis).norm());
+  const int inside = std::min(last + 1, m.rod.edges + 1);
+  const auto bow_of = [&](int first, int end, const Vec3& a, const Vec3& b) {
+    const Vec3 axis = (b - a).normalized();
+    double most = 0.0;
+    for (int i = first; i < end; ++i) most = std::max(most, across(rod.position[i] - a, axis).norm());
+    return most;
+  };
+  place.bow = bow_of(1, inside, from, to);
+  place.span = place.free_length;
+  place.bow_ratio = place.bow / place.span;
+  if (m.guide.points() == 0) return place;
+  // Above and below the guide, between their own ends.
+  const auto is_above = [&](int node, const Vec3& x) {
+    return m.path.direction.dot(rod.position[node] - x) < 0.0;
+  };
+  int top = 0, bottom = inside - 1;
+  while (top < bottom && is_above(top, m.guide.point.back())) ++top;
+  while (bottom > top && !is_above(bottom, m.guide.point.front())) --bottom;
+  place.bow_ratio = 0.0;
+  for (const auto& [first, end] : {std::pair{0, top}, std::pair{bottom, inside - 1}}) {
+    const double span = (end - first) * m.rod.edge_length.front();
+    if (end - first < 2) continue;
+    const double ratio = bow_of(first + 1, end, rod.position[first], rod.position[end]) / span;
+    if (ratio > place.bow_ratio) place.bow_ratio = ratio, place.span = span;
+  }
   return place;
 }
 
@@ -244,6 +297,8 @@ Vec3 at_contact(const std::vector<double>& unknowns, const RodContact& c) {
 
 Vec3 tissue_rate(const State& s, const RodContact& c) { return coupling::mean(*c.at, s.velocity); }
 
+double turning_moment(const RodContact& c) { return c.axis.dot(c.arm.cross(c.force)); }
+
 Vec3 contact_load(const RodContact& c, const Vec3& way) {
   return coupling::advance(c.slider, way.dot(c.axis)).force * c.axis +
          c.lateral * (c.lateral_elongation + across(way, c.axis));
@@ -271,10 +326,14 @@ coupling::NeedleSlide slide_rod(const Model& m, State& s, const Scratch& w) {
     const coupling::SliderStep step = coupling::advance(c.slider, way.dot(c.axis));
     const Vec3 sideways = across(way, c.axis);
     s.ledger.work_numerical += step.numerical + 0.5 * c.lateral * sideways.squaredNorm();
+    s.ledger.work_damping += step.released;
     energy += stored(c, step.elongation, c.lateral_elongation + sideways);
     *c.elongation = step.elongation;
     if (&c == &w.rod.contacts.front()) {
       s.ledger.work_cutting += step.dissipated;
+      // The spring has given this off as the arm turned, when the rod was laid over it again.
+      s.ledger.work_numerical -=
+          m.scene.run.time_step * turning_moment(c) * s.needle.rod.rate[needle::spin_at(c.point.edge)];
       all.tip = step;
     } else {
       s.ledger.work_friction += step.dissipated;
@@ -285,13 +344,15 @@ coupling::NeedleSlide slide_rod(const Model& m, State& s, const Scratch& w) {
   return all;
 }
 
-bool cut_along_tip(const Model& m, State& s, double slip) {
+bool cut_along_tip(const Model& m, State& s, const coupling::SliderStep& tip) {
+  const double slip = tip.slip;
   if (slip <= 0.0 || s.through || m.rigid()) return false;
   RodNeedle& n = s.needle;
   const Vec3 point = point_from_tip(m, s);
-  if (s.channel_depth == 0.0) {  // the cut begins under the point, wherever it touched
+  if (!n.cut_begun) {  // under the point, wherever it touched
     n.channel_end += n.tip_offset + point;
     n.tip_offset.setZero();
+    n.cut_begun = true;
   }
   const auto held = m.locator->locate(n.channel_end, m.scene.contact.contact_radius);
   const Vec3 axis = tangent_at(s, m.rod.edges - 1);
@@ -304,7 +365,7 @@ bool cut_along_tip(const Model& m, State& s, double slip) {
   constexpr double steepest = 0.2;
   const Vec3 aside = m.point_aside > 0.0 ? across(to_point, axis) : Vec3(Vec3::Zero());
   const Vec3 ahead = axis + aside / std::max(slip, aside.norm() / steepest);
-  const Vec3 way = F.determinant() > 0.01 ? Vec3(F.inverse() * ahead) : ahead;
+  const Vec3 way = way_at_rest(F, ahead);
   const Vec3 direction = way.normalized();
   // Where the spring's end must be: what an earlier step left behind is made up for.
   const double wanted = axis.dot(to_point) - s.tip_elongation;
@@ -322,7 +383,7 @@ bool cut_along_tip(const Model& m, State& s, double slip) {
   attach_disc_into(s.tip, m, n.channel_end, direction);
   s.channel_depth += advance;
   // The shaft will come to lie in it with this energy, out of what the tip has spent.
-  const double spread = spreading_force(m, s) * advance;
+  const double spread = std::min(spreading_force(m, s) * advance, tip.dissipated);
   s.ledger.work_cutting -= spread;
   s.ledger.work_numerical += spread;
   while (n.channel.cells() * coupling::channel_cell < s.channel_depth && n.channel.cells() < m.most_cells())

@@ -12,8 +12,10 @@ namespace {
 
 using numeric::NodeVector;
 
-constexpr int max_passes = 40;        // of Newton's method and the branches together; two are usual
-constexpr int max_iterations = 4000;  // of one conjugate-gradient solve
+constexpr int max_passes = 80;  // of Newton's method and the branches together; two are usual
+constexpr int easy_passes = 8;  // more are for a rod that is giving way
+constexpr double slight_force = 1e-2, stride = 8.0;  // N; how much farther it goes while no more is left
+constexpr int max_iterations = 4000;                 // of one conjugate-gradient solve
 constexpr double force_error = 1e-6;  // N, and N per edge for moments: what may be left unbalanced
 
 void add_at(std::vector<double>& to, int at, const Vec3& v) {
@@ -37,8 +39,42 @@ needle::Pose stop_of(const Model& m, const needle::Pose& hub) {
   return {m.path.entry, m.path.direction, hub.director};
 }
 
-// Newton's system of the rod at the iterate while the tissue rests and nobody holds the hub.
-void load_rod(const Model& m, const State& s, Scratch& w, const needle::Pose& hub, double compression) {
+// N, of a grip on node 0, along the path.
+double grip_pull(const Model& m, const State& s, const needle::Pose& hub) {
+  return m.path.direction.dot(hub.position - s.needle.rod.position[0]) / m.grip_compliance;
+}
+
+// To the right-hand side, what contacts do while the tissue rests, and a grip.
+void add_outside_to(std::vector<double>& residual, const Model& m, const State& s, const Scratch& w,
+                    const needle::Pose& hub) {
+  const double h = m.scene.run.time_step;
+  for (const RodContact& c : w.rod.contacts)
+    add_to_rod(residual, c, h * (c.force - h * c.stiffness * at_contact(s.needle.rod.rate, c)));
+  const RodContact& tip = w.rod.contacts.front();
+  residual[needle::spin_at(tip.point.edge)] += h * turning_moment(tip);
+  if (m.grip_compliance > 0.0) add_at(residual, 0, h * grip_pull(m, s, hub) * m.path.direction);
+}
+
+// h^2 J^T K C v: what moving tissue does to the rod.
+void add_tissue_to(std::vector<double>& load, const Model& m, const State& s, const Scratch& w) {
+  const double h = m.scene.run.time_step;
+  if (m.rigid()) return;
+  for (const RodContact& c : w.rod.contacts) add_to_rod(load, c, h * h * c.stiffness * tissue_rate(s, c));
+}
+
+// What is out of balance at the iterate, the tissue's motion included. N s and N m s
+void unbalance_into(std::vector<double>& load, const Model& m, const State& s, Scratch& w,
+                    const needle::Pose& hub) {
+  needle::RodMotion& motion = w.rod.motion;
+  needle::load(motion, m.rod, s.needle.rod, hub, stop_of(m, hub), m.scene.run.time_step);
+  add_outside_to(motion.residual, m, s, w, hub);
+  load = motion.residual;
+  add_tissue_to(load, m, s, w);
+}
+
+// Newton's matrix of the rod at the iterate while nobody holds the hub, and its right-hand side without
+// anything from outside.
+void linearise(const Model& m, const State& s, Scratch& w, const needle::Pose& hub, double compression) {
   const double h = m.scene.run.time_step;
   needle::RodMotion& motion = w.rod.motion;
   needle::linearise(motion, m.rod, s.needle.rod, hub, stop_of(m, hub), h, compression);
@@ -48,17 +84,11 @@ void load_rod(const Model& m, const State& s, Scratch& w, const needle::Pose& hu
     add_block(motion.matrix, a, a, h * h * wa * wa * c.stiffness);
     add_block(motion.matrix, b, a, h * h * wb * wa * c.stiffness);
     add_block(motion.matrix, b, b, h * h * wb * wb * c.stiffness);
-    add_to_rod(motion.residual, c, h * (c.force - h * c.stiffness * at_contact(s.needle.rod.rate, c)));
   }
 }
 
-// N, of a grip on node 0, along the path.
-double grip_pull(const Model& m, const State& s, const needle::Pose& hub) {
-  return m.path.direction.dot(hub.position - s.needle.rod.position[0]) / m.grip_compliance;
-}
-
-// The hand on node 0: it leads it, or pulls it along the path by a grip that gives way there alone.
-void hold_hub(const Model& m, const State& s, Scratch& w, const needle::Pose& hub) {
+// The hand on node 0: it leads it, or holds it by a grip that gives way along the path alone.
+void hold_hub(const Model& m, Scratch& w) {
   needle::RodMotion& motion = w.rod.motion;
   if (m.grip_compliance == 0.0) return needle::hold_hub(motion);
   const double h = m.scene.run.time_step;
@@ -67,25 +97,19 @@ void hold_hub(const Model& m, const State& s, Scratch& w, const needle::Pose& hu
   constexpr double heavy = 1e10;
   const Mat3 axial = m.path.direction * m.path.direction.transpose();
   add_block(motion.matrix, 0, 0, h * h / m.grip_compliance * axial + heavy * (Mat3::Identity() - axial));
-  add_at(motion.residual, 0, h * grip_pull(m, s, hub) * m.path.direction);
 }
 
 // Both, factored. What edges under compression take from the matrix is let go by and by where it is not
 // definite.
 bool factor_rod(const Model& m, const State& s, Scratch& w, const needle::Pose& hub) {
   for (double compression = 1.0;; compression = compression > 0.1 ? 0.5 * compression : 0.0) {
-    load_rod(m, s, w, hub, compression);
-    hold_hub(m, s, w, hub);
-    if (w.rod.motion.matrix.factor()) return true;
+    linearise(m, s, w, hub, compression);
+    hold_hub(m, w);
+    if (w.rod.motion.matrix.factor()) break;
     if (compression == 0.0) return false;
   }
-}
-
-// h^2 J^T K C v: what moving tissue does to the rod.
-void add_tissue_to(std::vector<double>& load, const Model& m, const State& s, const Scratch& w) {
-  const double h = m.scene.run.time_step;
-  if (m.rigid()) return;
-  for (const RodContact& c : w.rod.contacts) add_to_rod(load, c, h * h * c.stiffness * tissue_rate(s, c));
+  add_outside_to(w.rod.motion.residual, m, s, w, hub);
+  return true;
 }
 
 // What the hub holds is no imbalance: all of node 0, or what is across the path.
@@ -230,18 +254,26 @@ RodOutcome solve_with_rod(const Model& m, State& s, Scratch& w, const needle::Po
         along.dot(s.needle.rod.position[0] + h * three(s.needle.rod.rate, 0) - hub.position) * along;
   needle::begin_step(motion, m.rod, s.needle.rod, first, h);
   bool settled = false;
+  double left_before = 0.0;
   for (int pass = 0; pass < max_passes; ++pass) {
-    if (!factor_rod(m, s, w, hub)) break;
-    motion.change = motion.residual;
-    add_tissue_to(motion.change, m, s, w);
-    const Vec3 by_hub = -three(motion.change, 0) / h;
-    leave_to_hub(m, motion.change);
-    if (settled && imbalance(m, motion.change) <= force_error) {
-      outcome.hub_force = by_hub;
-      // A grip's pull is in balance already; what it holds across the path is left.
-      if (grip) outcome.hub_force += (grip_pull(m, s, hub) - along.dot(by_hub)) * along;
-      return outcome;
+    double left = 0.0;
+    if (settled) {
+      unbalance_into(motion.change, m, s, w, hub);
+      const Vec3 by_hub = -three(motion.change, 0) / h;
+      leave_to_hub(m, motion.change);
+      left = imbalance(m, motion.change);
+      if (left <= force_error) {
+        outcome.hub_force = by_hub;
+        // A grip's pull is in balance already; what it holds across the path is left.
+        if (grip) outcome.hub_force += (grip_pull(m, s, hub) - along.dot(by_hub)) * along;
+        return outcome;
+      }
     }
+    if (!factor_rod(m, s, w, hub)) break;
+    // At a balance from which the rod is about to give way: it leaves it with each pass, by little more.
+    const bool giving_way = settled && pass >= easy_passes && left > left_before &&
+                            left > 4.0 * force_error && left < slight_force;
+    if (settled) left_before = left;
     if (!m.rigid()) {
       w.velocity_tried = s.velocity;
       w.imbalance_tried = w.imbalance;
@@ -249,11 +281,11 @@ RodOutcome solve_with_rod(const Model& m, State& s, Scratch& w, const needle::Po
     w.rod.before = s.needle.rod;
     if (!improve(m, s, w, outcome)) break;
     go_part_of_the_way(m, s, w, 1.0);
-    settled = !correct_grips(m, s, w);
+    settled = !correct_grips(m, s, w) && !giving_way;
     if (settled) continue;
-    const double share = line_search(m, s, w, hub);
+    const double share = giving_way ? stride : line_search(m, s, w, hub);
     go_part_of_the_way(m, s, w, share);
-    if (!m.rigid() && share < 1.0) {
+    if (!m.rigid() && share != 1.0) {
       numeric::scale_and_add_into(s.velocity, share, w.velocity_tried);
       numeric::add_scaled_into(s.velocity, -share, w.velocity_tried);
       numeric::scale_and_add_into(w.imbalance, share, w.imbalance_tried);
@@ -269,7 +301,7 @@ double hub_stiffness(const Model& m, const State& s, Scratch& w) {
   const double h = m.scene.run.time_step;
   needle::RodMotion& motion = w.rod.motion;
   const Vec3& along = m.path.direction;
-  load_rod(m, s, w, s.needle.hub, 1.0);
+  linearise(m, s, w, s.needle.hub, 1.0);
   // The hub's column of the matrix: what the rod is asked when node 0 goes along the path at unit rate.
   std::vector<double>& hub_column = motion.residual;
   std::fill(hub_column.begin(), hub_column.end(), 0.0);

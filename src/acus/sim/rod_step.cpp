@@ -50,15 +50,17 @@ void account_rod(const Model& m, State& s, const Scratch& w, const Before& befor
 }
 
 Bent bent_of(const Model& m, State& s, const RodPlace& place) {
-  const double span = weakest_span(m.scene, place.free_length).length;
-  const double bow_ratio = place.bow / span;
-  s.steps_straight = bow_ratio < straight_ratio ? s.steps_straight + 1 : 0;
-  return rod_bent(bow_ratio, static_cast<double>(s.steps_straight) * m.scene.run.time_step,
-                  needle::slowest_period(m.needle, span));
+  s.steps_straight = place.bow_ratio < straight_ratio ? s.steps_straight + 1 : 0;
+  return rod_bent(place.bow_ratio, static_cast<double>(s.steps_straight) * m.scene.run.time_step,
+                  needle::slowest_period(m.needle, place.span));
 }
 
 Health health_of(const Model& m, const State& s, const RodPlace& place) {
   if (!std::isfinite(force::accounted(s.ledger))) return Health::not_finite;
+  // A joint lets the needle swing round until it lies on the hand; the rod's twist has no meaning there.
+  constexpr double folded = -0.95;  // cosine
+  if (s.needle.hub.tangent.dot(needle::edge(s.needle.rod, 0).normalized()) < folded)
+    return Health::needle_folded;
   return place.free_length < needle::shortest_column * m.needle.radius ? Health::hub_at_entry : Health::good;
 }
 
@@ -100,7 +102,7 @@ void advance_rod(const Model& m, State& s, Scratch& w, const needle::Pose& hub, 
   observed.tip_force = tip.force;
   observed.ruptured_now = !s.punctured && tip.slip > 0.0;
   s.punctured = s.punctured || observed.ruptured_now;
-  observed.through_now = cut_along_tip(m, s, tip.slip);
+  observed.through_now = cut_along_tip(m, s, tip);
   probe(StepPart::cutting);
   account_rod(m, s, w, before, frame);
 

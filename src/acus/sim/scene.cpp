@@ -153,6 +153,10 @@ Complaint guide_complaint(const Scene& scene) {
   if (scene.guide.length > 0.0 && scene.needle_model != NeedleModel::rod)
     return "guide.length_mm is for needle.model = \"rod\"; a column knows of no guide; set the model or "
            "remove the guide";
+  const double front = in_front_of_hand(scene).length;
+  if (scene.guide.length > 0.0 && scene.guide.gap >= front)
+    return "guide.gap_mm must be less than what is in front of the hand, " + in_mm(front) + ", but is " +
+           in_mm(scene.guide.gap);
   return {};
 }
 

@@ -49,6 +49,7 @@ struct ContactScene {
   double contact_radius = 2.5e-3;  // m, disc over which a tip load is spread; chosen, a mesh must resolve it
   double stiffness = 1e4;  // N/m, needle point against tissue (k of Eq. 8); chosen stiff beside the tissue
   Coupling coupling = Coupling::embedded;
+  bool near_field = true;  // the tissue close to the needle gives way by what the mesh cannot
   // Of r cos(bevel), how far from the axis the point of a bevel cuts: 1 is where its geometry has it.
   double bevel_share = 1.0;
 };

@@ -97,6 +97,9 @@ std::vector<SceneKey> contact_keys() {
        "radius of the disc over which a tip load is spread"},
       {"contact.stiffness_N_m", NumberField{ACUS_AT(contact.stiffness), one, {1.0, 1e9}},
        "spring between needle and tissue, k of Eq. 8"},
+      {"contact.near_field", SwitchField{ACUS_AT(contact.near_field)},
+       "whether the tissue close to the needle, under its tip and along the shaft of a rod, gives way by "
+       "what the mesh cannot; false for the mesh alone"},
       {"contact.bevel_share", NumberField{ACUS_AT(contact.bevel_share), one, {0.0, 1.0}},
        "how far from the axis the point of a bevel cuts, as a share of radius cos(bevel), its geometry's"},
       {"contact.coupling", ACUS_CHOICE(contact.coupling, "embedded", "nearest_node"),

@@ -30,6 +30,7 @@ struct RodContact {
   coupling::Grip grip = coupling::Grip::stick;
   double lateral = 0.0;                    // N/m, across the axis, both ways
   Vec3 lateral_elongation{0.0, 0.0, 0.0};  // m, before the step
+  Vec3 arm{0.0, 0.0, 0.0};                 // m, from the rod's point to where a bevel's is held
   double* elongation = nullptr;            // m, of the slider, in the state
   Vec3 force{0.0, 0.0, 0.0};               // N, on this branch
   Mat3 stiffness = Mat3::Zero();           // N/m, on this branch

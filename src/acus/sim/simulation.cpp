@@ -160,8 +160,9 @@ void Simulation::needle_line_into(std::span<Vec3> out) const {
   const Parts& p = *parts_;
   // What is behind the hand is straight.
   const double behind = p.model.scene.hand.grip / p.model.scene.needle.length;
-  const std::size_t at_hand = std::min(static_cast<std::size_t>(behind * static_cast<double>(out.size())),
-                                       out.size() - std::min<std::size_t>(out.size(), 2));
+  const std::size_t least = behind > 0.0 && out.size() > 2 ? 1 : 0;
+  const std::size_t at_hand = std::clamp(static_cast<std::size_t>(behind * static_cast<double>(out.size())),
+                                         least, std::max(out.size(), least + 2) - 2);
   const std::span<Vec3> front = out.subspan(at_hand);
   if (p.model.bends_freely())
     rod_line_into(front, p.model, p.state);
@@ -194,7 +195,7 @@ std::uint64_t Simulation::state_hash() const {
     for (const Vec3& x : *vectors) hash = hash_of({x.data(), 3}, hash);
   for (const Vec3& x : {n.hub.position, n.hub.tangent, n.hub.director, n.channel_end})
     hash = hash_of({x.data(), 3}, hash);
-  hash = hash_of(s.guide_elongation, hash);
+  for (const GuideHold& hold : s.guide) hash = hash_of({&hold.elongation, 1}, hash);
   return hash_of(s.needle.rod.rate, hash);
 }
 

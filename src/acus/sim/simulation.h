@@ -24,12 +24,12 @@ class Simulation {
   // grip gives way. Allocates nothing.
   const Frame& step(double hand_travel);
 
-  // The same for a hub that is led in all six degrees of freedom: where it is, which way the needle lies in
-  // it, and how it is turned about its axis (directions, made unit and across each other; a step turns it by
-  // less than a right angle). A pose without directions ends the run as not finite. A column takes the part
-  // along the path.
+  // The same for a hand that leads in all six degrees of freedom: where it holds the needle (at its hub, or
+  // before it by the scene's grip), which way the needle lies in it, and how it is turned about its axis
+  // (directions, made unit and across each other; a step turns it by less than a right angle). A pose without
+  // directions ends the run as not finite. A column takes the part along the path.
   const Frame& step(const needle::Pose& hub);
-  needle::Pose hub() const;  // where the hub is held now
+  needle::Pose hub() const;  // where the needle is held now
 
   // How hand_force of the last step would have changed with the hand's travel, N/m: the tangent over one time
   // step, inertia and damping of the tissue included. 0 before the first step. Costs iterations; allocates

@@ -23,8 +23,8 @@ double spreading_force(const Model& m, const State& s) {
 
 coupling::Slider tip_slider(const Model& m, const State& s) {
   const double unbreakable = std::numeric_limits<double>::infinity();
-  if (m.rigid()) return {m.scene.contact.stiffness, s.tip_elongation, 0.0, unbreakable, true};
-  const double stiffness = s.through ? 0.0 : m.scene.contact.stiffness;
+  if (m.rigid()) return {m.tip_stiffness, s.tip_elongation, 0.0, unbreakable, true};
+  const double stiffness = s.through ? 0.0 : m.tip_stiffness;
   const double cutting = std::max(m.cutting_force, spreading_force(m, s));
   const double limit = s.through ? 0.0 : s.punctured ? cutting : m.scene.contact.rupture_force;
   return {stiffness, s.tip_elongation, 0.0, limit, true};
@@ -56,7 +56,7 @@ State initial_state(const Model& m) {
   s.needle.hub = hub_pose(m, s.hub_travel);
   if (m.bends_freely()) s.needle.rod = needle::unloaded_rod(m.rod, s.needle.hub);
   s.needle.channel_end = m.path.entry;
-  s.guide_elongation.assign(m.guide.points(), 0.0);
+  s.guide.resize(m.guide.points());
   if (m.rigid()) return s;
   s.position = m.mesh.nodes;
   s.velocity.assign(static_cast<std::size_t>(m.tissue.free_nodes) * numeric::node_stride, 0.0);

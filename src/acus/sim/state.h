@@ -18,8 +18,18 @@ struct RodNeedle {
   coupling::Channel channel;         // as far as it is cut
   std::vector<Vec3> cell_point;      // m, at rest, [cells]
   std::vector<double> cell_lateral;  // N/m^2, of the near field, [cells]
-  Vec3 channel_end{0.0, 0.0, 0.0};   // m, at rest
-  Vec3 tip_offset{0.0, 0.0, 0.0};    // m, of the tip from there, across its axis, where it touched
+  bool tip_rests = false;            // on the surface, pressed
+  bool cut_begun = false;
+  Vec3 channel_end{0.0, 0.0, 0.0};  // m, at rest
+  Vec3 tip_offset{0.0, 0.0, 0.0};   // m, of the tip from there, across its axis, where it came to rest
+};
+
+// How a point of the guide holds the rod. It takes it as it finds it: nothing that comes in from aside is
+// thrown to the middle.
+struct GuideHold {
+  bool holds = false;
+  double elongation = 0.0;     // m, pre-sliding
+  Vec3 offset{0.0, 0.0, 0.0};  // m, across, at which the spring is at rest
 };
 
 struct State {
@@ -41,8 +51,8 @@ struct State {
   double tip_elongation = 0.0;  // m, of the contact spring; negative: the gap to the channel's end
   coupling::Attachment tip;     // at the channel's end
   coupling::ChannelState channel;
-  std::vector<double> guide_elongation;  // m, pre-sliding along a rod's guide, [points]
-  RodNeedle needle;                      // where the needle is a rod
+  std::vector<GuideHold> guide;  // of a rod, [points]
+  RodNeedle needle;              // where the needle is a rod
 
   bool buckled = false;
   long steps_straight = 0;  // that a rod's bow has been small

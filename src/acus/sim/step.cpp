@@ -49,6 +49,7 @@ coupling::NeedleSlide slide(const Model& m, State& s, const Scratch& w) {
   for (const HeldPoint& p : w.held) {
     const coupling::SliderStep step = coupling::advance(p.slider, h * (s.tip_rate - tissue_rate(m, s, p)));
     s.ledger.work_numerical += step.numerical;
+    s.ledger.work_damping += step.released;
     if (p.cell < 0) {
       s.tip_elongation = step.elongation;
       s.ledger.work_cutting += step.dissipated;
@@ -92,7 +93,7 @@ bool cut(const Model& m, State& s, double slip) {
   if (s.channel_depth >= m.path.length) {
     s.through = true;
     s.channel_depth = m.path.length;
-    s.ledger.work_numerical += 0.5 * m.scene.contact.stiffness * s.tip_elongation * s.tip_elongation;
+    s.ledger.work_numerical += 0.5 * m.tip_stiffness * s.tip_elongation * s.tip_elongation;
     s.tip_elongation = 0.0;  // the contact spring lets go
   }
   attach_tip_into(s.tip, m, s.channel_depth);

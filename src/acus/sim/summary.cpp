@@ -59,8 +59,7 @@ const char* complaint(Health health) {
     case Health::not_finite:
       return "a number ceased to be finite; a shorter run.time_step_ms may help";
     case Health::needle_folded:
-      return "the needle folded over, beyond what the column model holds for; end the movement of the hand "
-             "earlier";
+      return "the needle folded over, beyond what its model holds for; end the movement of the hand earlier";
     case Health::hub_at_entry:
       return "the hub reached the entry and no free needle is left; end the movement of the hand earlier";
   }

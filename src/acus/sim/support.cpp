@@ -9,14 +9,10 @@ namespace {
 
 using needle::Support;
 
-// With a clamp in place of the tip, and of the hub.
+// With a clamp in place of the hub.
 Support below_guide(Support support) {
   return support == Support::pinned_pinned ? Support::clamped_pinned : support;
 }
-Support above_guide(Support support) {
-  return support == Support::pinned_pinned ? Support::clamped_pinned : Support::clamped_clamped;
-}
-
 double load_of(const Span& span, double bending_rigidity) {
   return needle::critical_load(bending_rigidity, span.length, span.support);
 }
@@ -29,6 +25,10 @@ needle::NeedleSpec in_front_of_hand(const Scene& scene) {
   part.length -= scene.hand.grip;
   part.imperfection *= part.length / scene.needle.length;
   return part;
+}
+
+Support above_guide(Support support) {
+  return support == Support::pinned_pinned ? Support::clamped_pinned : Support::clamped_clamped;
 }
 
 Span weakest_span(const Scene& scene, double free_length) {

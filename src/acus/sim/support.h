@@ -17,6 +17,9 @@ struct Span {
   needle::Support support;
 };
 
+// Supports of what is above a guide.
+needle::Support above_guide(needle::Support support);
+
 // Of a free part of that length [m], the span that buckles first. In a guide a needle neither moves aside nor
 // turns; it holds the ends of the spans before and behind it as a clamp does. That is exact for a stiff guide
 // longer than a few (4 EI / stiffness)^(1/4), and too much for a short or soft one. A span is at least as

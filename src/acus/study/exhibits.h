@@ -23,6 +23,7 @@ void show_convergence(Page& page, const GroupRecords& group);  // force under me
 void show_felt(Page& page, const GroupRecords& group);         // force and travel over time
 void show_track(Page& page, const GroupRecords& group);        // where the tip went
 void show_map(Page& page, const GroupRecords& group);          // outcome over two keys
+void show_depth(Page& page, const GroupRecords& group);        // second buckling over depth, by mesh
 // Where the paper contradicts itself, and what these groups of runs do not show.
 void show_contradictions(Page& page, const std::vector<GroupRecords>& groups);
 

@@ -38,6 +38,8 @@ void show(Page& page, Exhibit exhibit, const GroupRecords& group) {
       return show_track(page, group);
     case Exhibit::map:
       return show_map(page, group);
+    case Exhibit::depth:
+      return show_depth(page, group);
   }
 }
 

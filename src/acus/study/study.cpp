@@ -32,7 +32,8 @@ constexpr ExhibitName exhibit_names[] = {
     {"force", Exhibit::force},   {"energy", Exhibit::energy},     {"stages", Exhibit::stages},
     {"mesh", Exhibit::mesh},     {"loads", Exhibit::loads},       {"column", Exhibit::column},
     {"shapes", Exhibit::shapes}, {"coupling", Exhibit::coupling}, {"convergence", Exhibit::convergence},
-    {"felt", Exhibit::felt},     {"map", Exhibit::map},           {"track", Exhibit::track}};
+    {"felt", Exhibit::felt},     {"map", Exhibit::map},           {"track", Exhibit::track},
+    {"depth", Exhibit::depth}};
 
 // Reads one study file.
 class Reader : private TomlReading {

@@ -35,6 +35,7 @@ enum class Exhibit {
   convergence,
   felt,
   map,
+  depth,
   track
 };
 

@@ -50,7 +50,7 @@ export const materials: Preset[] = needles.materials.map((one) => ({
 
 // A column's tip has no side.
 export const models: Preset[] = [
-  { words: 'closed forms', settings: { 'needle.model': 'column', 'needle.bevel_deg': 0 }, source: 'the paper’s; straight inside the tissue' },
+  { words: 'closed forms', settings: { 'needle.model': 'column', 'needle.bevel_deg': 0, 'guide.length_mm': 0 }, source: 'the paper’s; straight inside the tissue' },
   { words: 'elastic rod', settings: { 'needle.model': 'rod' }, source: 'bends outside and inside the tissue, with its mass' },
 ];
 const bevel = (degrees: number): Preset => ({
@@ -71,6 +71,24 @@ export const supports: Preset[] = [
   support('pinned_pinned', 'pinned, pinned', 'free to tilt at both ends: the paper’s Eq. 10'),
   support('clamped_clamped', 'clamped, clamped', 'held fast at both ends'),
   support('clamped_free', 'clamped, free', 'held fast by the hand, the tip slides'),
+];
+
+const held = (millimetres: number, words: string, source: string): Preset => ({ words, settings: { 'hand.grip_mm': millimetres }, source });
+export const grips: Preset[] = [
+  held(0, 'at the hub', 'all of the needle is in front of the hand'),
+  held(50, '50 mm down', 'the part behind the hand hangs free'),
+  held(100, '100 mm down', 'the part behind the hand hangs free'),
+];
+const guide = (words: string, length: number, gap: number, stiffness: number, friction: number, source: string): Preset => ({
+  words,
+  settings: { 'guide.length_mm': length, 'guide.gap_mm': gap, 'guide.stiffness_MPa': stiffness, 'guide.friction_N_m': friction, 'needle.model': 'rod' },
+  source,
+});
+export const guides: Preset[] = [
+  { words: 'none', settings: { 'guide.length_mm': 0 }, source: 'nothing between hand and tissue' },
+  guide('a second hand', 15, 20, 1, 10, 'two fingers 20 mm above the tissue; give and friction are a choice'),
+  guide('a template, 10 mm', 10, 0, 1000, 0, 'a hole on the tissue: the needle cannot turn there'),
+  guide('a sleeve, 60 mm', 60, 0, 1000, 0, 'stands on the tissue; the hand pushes it together'),
 ];
 
 export const tissues: Preset[] = [
@@ -107,7 +125,7 @@ export const pageSettings: Record<string, number | string> = {
   'tissue.tetrahedra': 3000,
   'hand.speed_mm_s': 4, // a push goes five times as fast at most: the paper's 20 mm/s
   'run.solver_tolerance': 1e-4, // moves no force by more than 0.01 % (studies)
-  'run.time_step_ms': 2, // moves no load of buckling or puncture by more than 0.05 %
+  'run.time_step_ms': 2, // moves no load of a first buckling or puncture by more than 0.2 % (docs/studio.md)
 };
 
 export const settingsList = (settings: Record<string, number | string>): string[] =>

@@ -19,7 +19,7 @@ export const ledger: { column: Column; words: string; token: string }[] = [
   { column: 'energy_needle_J', words: 'needle, bent', token: 'e-needle' },
   { column: 'energy_tissue_J', words: 'tissue, elastic', token: 'e-tissue' },
   { column: 'energy_contact_J', words: 'contact springs', token: 'e-contact' },
-  { column: 'energy_kinetic_J', words: 'moving tissue', token: 'e-kinetic' },
+  { column: 'energy_kinetic_J', words: 'moving', token: 'e-kinetic' },
   { column: 'work_cutting_J', words: 'cutting', token: 'e-cutting' },
   { column: 'work_friction_J', words: 'friction', token: 'e-friction' },
   { column: 'work_damping_J', words: 'damping', token: 'e-damping' },

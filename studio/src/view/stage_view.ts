@@ -20,6 +20,7 @@ import { mapTexture, paint } from './colours';
 import type { Look, Marks, Point, Style } from './look';
 import { Needle } from './needle';
 import { axesOf, Rig, type Axes, type Room, type ViewName } from './rig';
+import { Supports } from './supports';
 import { Tissue } from './tissue';
 
 export const insetSize = 150; // CSS px
@@ -35,6 +36,7 @@ interface Parts {
   tissue: Tissue | null;
   wall: Mesh | null; // where there is no tissue
   needle: Needle;
+  supports: Supports;
   arrow: Arrow;
   forceScale: number; // N
 }
@@ -73,12 +75,13 @@ export class StageView {
     this.length = Math.max(roomFor, model.needle_length_m);
     this.rig.axes = axesOf(model.entry_m, model.direction);
     const needle = new Needle(model.needle_radius_m, this.axes.along);
+    const supports = new Supports(model, this.axes);
     const arrow = new Arrow(this.axes.along.clone().negate());
     const tissue = model.nodes_m.length > 0 ? new Tissue(model, this.map) : null;
     const wall = tissue ? null : this.buildWall();
     const forceScale = Math.max(model.rupture_force_N, model.critical_load_N, 1e-3);
-    this.parts = { model, tissue, wall, needle, arrow, forceScale };
-    this.scene.add(needle.group, arrow.group);
+    this.parts = { model, tissue, wall, needle, supports, arrow, forceScale };
+    this.scene.add(needle.group, supports.group, arrow.group);
     if (tissue) this.scene.add(tissue.group);
     if (wall) this.scene.add(wall);
     this.frame = null;
@@ -155,6 +158,7 @@ export class StageView {
     paint(this.map, style.map);
     const { parts } = this;
     parts?.needle.style(style.steel, style.outline, style.hub);
+    parts?.supports.style(style.hub, style.steel);
     parts?.arrow.style(style.force);
     parts?.tissue?.style(style.skin, style.skinOpacity, style.lines, style.linesOpacity);
     if (parts?.wall) (parts.wall.material as MeshStandardMaterial).color = new Color(style.wall);
@@ -168,6 +172,7 @@ export class StageView {
     if (frame) {
       this.frame = frame;
       parts.needle.draw(frame.needle);
+      parts.supports.draw(frame.needle);
       if (parts.tissue) {
         parts.tissue.mesh = look.mesh;
         this.largest = parts.tissue.draw(frame, look.field, look.most);
@@ -291,9 +296,10 @@ export class StageView {
   private clear(): void {
     const { parts } = this;
     if (!parts) return;
-    for (const drawn of [parts.tissue?.group, parts.wall, parts.needle.group, parts.arrow.group]) if (drawn) this.scene.remove(drawn);
+    for (const drawn of [parts.tissue?.group, parts.wall, parts.needle.group, parts.supports.group, parts.arrow.group]) if (drawn) this.scene.remove(drawn);
     parts.tissue?.dispose();
     parts.needle.dispose();
+    parts.supports.dispose();
     parts.arrow.dispose();
   }
 

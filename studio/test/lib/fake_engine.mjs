@@ -55,16 +55,16 @@ export function rowAt(travel, time) {
 function frameAt(row, events) {
   const points = 61;
   const count = nodes.length / 3;
-  const bytes = new ArrayBuffer(224 + 12 * points + 16 * count);
+  const bytes = new ArrayBuffer(272 + 12 * points + 16 * count);
   new Uint32Array(bytes, 0, 4).set([0x46434131, points, count, events]);
-  new Float64Array(bytes, 16, 26).set(Object.values(row));
-  const needle = new Float32Array(bytes, 224, 3 * points);
+  new Float64Array(bytes, 16, 32).set(Object.values(row));
+  const needle = new Float32Array(bytes, 272, 3 * points);
   for (let i = 0; i < points; ++i) {
     const s = i / (points - 1);
     needle.set([row.deflection_m * Math.sin(Math.PI * s), 0, 0.06 + (1 - s) * (length - row.hand_travel_m) - s * row.tip_depth_m], 3 * i);
   }
-  new Float32Array(bytes, 224 + 12 * points, 3 * count).set(nodes);
-  new Float32Array(bytes, 224 + 12 * (points + count), count).fill(4e3);
+  new Float32Array(bytes, 272 + 12 * points, 3 * count).set(nodes);
+  new Float32Array(bytes, 272 + 12 * (points + count), count).fill(4e3);
   return Buffer.from(bytes);
 }
 

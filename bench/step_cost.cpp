@@ -31,7 +31,6 @@ double median(std::vector<double> values) {
 // A needle short enough not to buckle that goes in quickly and then at the default speed.
 Scene scene_for(int tetrahedra, double tolerance) {
   Scene scene;
-  scene.needle_model = NeedleModel::column;
   scene.needle.length = 0.12;
   scene.tissue.tetrahedra = tetrahedra;
   scene.contact.rupture_force = 0.2;

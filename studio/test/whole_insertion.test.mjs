@@ -9,6 +9,8 @@ import { anew, begin, closePages, count, download, goesOn, openStudio, paused, p
 const preset = 'fig6-clamped_pinned';
 const scene = 'default';
 const fig6 = {
+  'needle.model': 'column',
+  'needle.imperfection_mm': 0.05,
   'tissue.element': 'linear',
   'contact.rupture_force_N': 0.66,
   'contact.fracture_toughness_J_m2': 76,

@@ -82,6 +82,23 @@ inline Scene column_in_table_one(double length, double travel, double speed = 30
   return scene;
 }
 
+// Table I's needle pushed into a mesh of the default block that is given, and taken as it is. Nothing is cut;
+// friction [N/m] alone carries the load, which then falls linearly along what is inside.
+inline Scene uncut_in_given_block(double friction) {
+  Scene scene;
+  scene.needle_model = NeedleModel::rod;
+  scene.needle.imperfection = 0.01e-3;
+  scene.tissue.mesh = "given";
+  scene.tissue.target = {1e-5, 1e-5, 0.03};
+  scene.tissue.fixed_fraction = 0.001;
+  scene.tissue.tetrahedra = 100;  // fewer than it has: no refinement
+  scene.contact.rupture_force = 1e-3;
+  scene.contact.fracture_toughness = 0.0;
+  scene.contact.friction = friction;
+  scene.run.solver_tolerance = 1e-4;
+  return scene;
+}
+
 inline double euler_load(const Scene& scene, double free_length) {
   return needle::critical_load(needle::bending_rigidity(scene.needle), free_length, scene.needle.support);
 }

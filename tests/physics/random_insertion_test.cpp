@@ -80,7 +80,7 @@ TEST_P(RandomInsertion, stays_finite_closes_the_ledger_and_creates_no_energy) {
       ASSERT_LT(std::abs(f.energy_residual), 0.01 * turnover) << f.time;
       // What is held at the nearest node changes its energy as it jumps to the next one.
       if (scene.contact.coupling == Coupling::embedded) {
-        ASSERT_GT(f.ledger.work_numerical, -0.01 * turnover) << f.time;
+        ASSERT_GT(f.ledger.work_numerical, -0.01 * turnover - 1e-6) << f.time;  // J: a guide closes
       }
       cut = f.ledger.work_cutting;
       rubbed = f.ledger.work_friction;

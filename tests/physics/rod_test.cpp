@@ -285,18 +285,8 @@ TEST_P(EmbeddedNeedle, buckles_at_the_load_of_an_independent_program) {
   const auto mesh = io::read_mesh((folder / (std::string(GetParam()) + ".msh")).string(), 1.0);
   ASSERT_TRUE(mesh.ok()) << mesh.error().sentence;
   for (const double depth : {10e-3, 20e-3, 45e-3}) {
-    Scene scene;
-    scene.needle_model = NeedleModel::rod;
-    scene.needle.imperfection = 0.01e-3;
+    Scene scene = uncut_in_given_block(expected(depth) / depth);
     scene.tissue.element = Element::linear;
-    scene.tissue.mesh = "given";
-    scene.tissue.target = {1e-5, 1e-5, 0.03};
-    scene.tissue.fixed_fraction = 0.001;
-    scene.tissue.tetrahedra = 100;  // as it is
-    scene.contact.rupture_force = 1e-3;
-    scene.contact.fracture_toughness = 0.0;
-    scene.contact.friction = expected(depth) / depth;
-    scene.run.solver_tolerance = 1e-4;
     auto simulation = Simulation::build(scene, &*mesh);
     ASSERT_TRUE(simulation.ok()) << simulation.error().sentence;
     // The deeper the more friction carries, until the needle gives way.

@@ -14,21 +14,10 @@ struct Buckled {
   double load = 0.0;   // N
 };
 
-// Nothing is cut; friction alone carries the load, which falls linearly along what is inside, and grows with
-// depth until the needle gives way.
+// The load grows with depth until the needle gives way.
 Buckled second_buckling(const mesh::TetMesh& mesh, double friction) {
-  Scene scene;
-  scene.needle_model = NeedleModel::rod;
-  scene.needle.imperfection = 0.01e-3;
-  scene.tissue.mesh = "given";
-  scene.tissue.target = {1e-5, 1e-5, 0.03};
-  scene.tissue.fixed_fraction = 0.001;
-  scene.tissue.tetrahedra = 100;  // as it is
-  scene.contact.rupture_force = 1e-3;
-  scene.contact.fracture_toughness = 0.0;
-  scene.contact.friction = friction;
+  Scene scene = uncut_in_given_block(friction);
   scene.run.time_step = 8e-3;
-  scene.run.solver_tolerance = 1e-4;
   auto simulation = Simulation::build(scene, &mesh);
   EXPECT_TRUE(simulation.ok());
   double travel = 0.0;

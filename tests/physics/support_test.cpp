@@ -117,12 +117,11 @@ TEST(Guide, lets_the_hand_pass) {
   const Insertion run = insert(scene);
   EXPECT_NEAR(run.frames.back().hand_travel, 90e-3, 1e-6);
   EXPECT_FALSE(run.first(EventKind::buckling));
-  // As its nodes slide past the points of a stiff guide, springs are laid over other places of the rod; what
-  // that changes is in this line, both ways.
-  for (const Frame& f : run.frames) ASSERT_GE(f.ledger.work_numerical, -2e-3 * f.ledger.work_hand) << f.time;
+  for (const Frame& f : run.frames) ASSERT_GE(f.ledger.work_numerical, -1e-4 * f.ledger.work_hand) << f.time;
 }
 
-// Caught from aside, a needle is held where it was caught: nothing throws it to the middle.
+// Caught from aside, a needle is held where it was caught and led to the middle as it slides, by no more than
+// what it takes to bend it. Springs that threw it there at once would give it joules.
 TEST(Guide, takes_a_needle_as_it_finds_it) {
   Scene scene = table_one(0.15, 1e-3, 20e-3, 600);
   scene.guide = {.length = 50e-3, .gap = 20e-3};
@@ -134,13 +133,13 @@ TEST(Guide, takes_a_needle_as_it_finds_it) {
     for (int i = 0; i < steps; ++i) {
       hub.position += by / steps;
       ASSERT_EQ(simulation->step(hub).health, Health::good);
-      ASSERT_GT(simulation->frame().ledger.work_numerical, -1e-9);
+      ASSERT_GT(simulation->frame().ledger.work_numerical, -1e-3);
     }
   };
   lead(-0.1 * along, 500);  // out of the guide, aside, and down again
   lead(5e-3 * aside, 100);
   lead(0.08 * along, 500);
-  EXPECT_LT(simulation->frame().hub_force.norm(), 0.05);
+  EXPECT_LT(simulation->frame().hub_force.norm(), 0.5);
 }
 
 // What `acus check` advises against buckling does help, and a tenth less does not: 200 mm against 1 N. (A bow

@@ -154,7 +154,7 @@ TEST_F(Session, tells_events_once_and_in_order) {
   const auto all = reports();
   ASSERT_GE(all.size(), 2U);
   EXPECT_EQ(all[0]["event"], "contact");
-  EXPECT_EQ(all[1]["event"], "buckling");
+  EXPECT_EQ(all[1]["event"], "puncture");  // so fast that the bow comes later
   EXPECT_EQ(all.size(), session.simulation()->events().size());
   EXPECT_TRUE(reports().empty());
 }

@@ -71,7 +71,7 @@ test("worker answers commands and posts frames while it steps", async () => {
   const stop = serve(engine, port);
   const send = (command) => port.onmessage({ data: JSON.stringify(command) });
   send({ type: "start", scene, settings: ["tissue.tetrahedra=300"] });
-  send({ type: "steady", speed_m_s: 0.1 });
+  send({ type: "steady", speed_m_s: 0.02 });
   port.onmessage({ data: 7 });
   const buckled = () => reports.some(({ event }) => event === "buckling");
   for (let i = 0; i < 1000 && !buckled(); ++i) await new Promise((resolve) => setTimeout(resolve, 10));

@@ -44,6 +44,6 @@ test("whole session by commands gives the native reports and frames, byte for by
         listen();
       }
   }
-  assert.deepEqual([...events].sort(), ["buckling", "contact", "exit", "puncture", "straightening"]);
+  assert.deepEqual([...events].sort(), ["buckling", "contact", "exit", "puncture", "second_buckling", "straightening"]);
   assert.equal(String(hash), (await fileOfTree("tests/view/session_hash.txt")).trim());
 });

@@ -1,5 +1,6 @@
 #include "acus/coupling/guide.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace acus::coupling {

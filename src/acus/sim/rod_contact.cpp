@@ -144,6 +144,9 @@ RodContact guide_contact(const Model& m, State& s, int point, int start_edge) {
   c.axis = m.path.direction;
   const Vec3 aside = across(needle::place_of(s.needle.rod, c.point) - m.guide.point[point], c.axis);
   if (!hold.holds) hold = {true, 0.0, aside};
+  constexpr double closing = 5e-3;  // m, of sliding
+  const double slid = m.scene.run.time_step * std::abs(c.axis.dot(at_contact(s.needle.rod.rate, c)));
+  hold.offset *= std::max(0.0, 1.0 - slid / closing);
   c.slider = coupling::slider_of(m.guide, point, hold.elongation);
   c.lateral = m.guide.stiffness * m.guide.length[point];
   c.lateral_elongation = aside - hold.offset;

@@ -10,8 +10,9 @@ namespace acus {
 // Whether the free part has given way sideways, as its model tells it.
 enum class Bent { no, yes, in_between };  // in between it stays what it was
 
-// Bows, over the length of the part that gives way, between hand, guide and entry: from the first on it is bent, below the second straight.
-// With the default bow of L / 4000 a load is within 0.5 % of critical when the bow is the first.
+// Bows, over the length of the part that gives way, between hand, guide and entry: from the first on it is
+// bent, below the second straight. With the default bow of L / 4000 a load is within 0.5 % of critical when
+// the bow is the first.
 inline constexpr double bent_ratio = 0.05, straight_ratio = 0.5 * bent_ratio;
 
 // A column has buckled once it carries the closed form's critical load, or, where the initial bow keeps the

@@ -24,8 +24,8 @@ struct RodNeedle {
   Vec3 tip_offset{0.0, 0.0, 0.0};   // m, of the tip from there, across its axis, where it came to rest
 };
 
-// How a point of the guide holds the rod. It takes it as it finds it: nothing that comes in from aside is
-// thrown to the middle.
+// How a point of the guide holds the rod. It takes it as it finds it, so that nothing that comes in from
+// aside is thrown to the middle, and closes on it as it slides.
 struct GuideHold {
   bool holds = false;
   double elongation = 0.0;     // m, pre-sliding

@@ -46,7 +46,7 @@ TEST_P(PaperEquations, assembled_stiffness_of_eq_4_to_6) {
   for (double spread : {0.0, 1e-3, 2e-2}) {
     tissue.position = jolted(tissue.rest, spread, 4);
     corotate_into(tissue.corotation, tissue.model, tissue.position);
-    assemble_into(tissue.matrix, tissue.model, tissue.corotation, 0.0, 1.0);
+    set_factors(tissue.matrix, tissue.model, 0.0, 1.0);
     Eigen::MatrixXd columns(size, size);
     for (int j = 0; j < size; ++j)
       columns.col(j) = unpadded(tissue.times_matrix(padded(Eigen::VectorXd::Unit(size, j))));
@@ -64,7 +64,7 @@ TEST_P(PaperEquations, system_matrix_of_eq_7) {
   const StepFactors factors = step_factors(h, {alpha, beta});
   tissue.position = jolted(tissue.rest, 3e-3, 5);
   corotate_into(tissue.corotation, tissue.model, tissue.position);
-  assemble_into(tissue.matrix, tissue.model, tissue.corotation, factors.mass, factors.stiffness);
+  set_factors(tissue.matrix, tissue.model, factors.mass, factors.stiffness);
   const int size = 3 * held.free_nodes;
   const Eigen::MatrixXd K = literal.at(tissue.position).stiffness.topLeftCorner(size, size);
   const Eigen::MatrixXd M = literal.lumped_mass().head(size).asDiagonal();
@@ -84,7 +84,7 @@ TEST_P(PaperEquations, preconditioner_is_the_mean_diagonal_of_each_node_however_
   const Mat3 turn = Eigen::AngleAxisd(1.0, Vec3(1.0, 2.0, -1.0).normalized()).toRotationMatrix();
   for (Vec3& x : tissue.position) x = turn * x;
   corotate_into(tissue.corotation, tissue.model, tissue.position);
-  assemble_into(tissue.matrix, tissue.model, tissue.corotation, factors.mass, factors.stiffness);
+  set_factors(tissue.matrix, tissue.model, factors.mass, factors.stiffness);
   const int size = 3 * held.free_nodes;
   const Eigen::MatrixXd K = literal.at(tissue.position).stiffness.topLeftCorner(size, size);
   const Eigen::MatrixXd M = literal.lumped_mass().head(size).asDiagonal();

@@ -69,7 +69,7 @@ class BareTissue {
   // One step of linearly implicit Euler, as motion.h writes it.
   void step(double h, const Rayleigh& damping = {}) {
     const StepFactors factors = step_factors(h, damping);
-    assemble_into(matrix, model, corotation, factors.mass, factors.stiffness);
+    set_factors(matrix, model, factors.mass, factors.stiffness);
     numeric::NodeVector momentum(velocity.size(), 0.0);
     momentum_into(momentum, model, velocity, corotation.elastic_force, h);
     numeric::add_scaled_into(momentum, h, load);
@@ -80,7 +80,7 @@ class BareTissue {
 
   // The displacement that the stiffness of the present configuration gives under `force`.
   numeric::NodeVector linear_answer(const numeric::NodeVector& force) {
-    assemble_into(matrix, model, corotation, 0.0, 1.0);
+    set_factors(matrix, model, 0.0, 1.0);
     numeric::NodeVector answer(force.size(), 0.0);
     solve(answer, force);
     return answer;

@@ -119,7 +119,7 @@ numeric::CoarseSpace coarse_space_at_rest(const Model& m) {
   tissue::Corotation corotation = tissue::build_corotation(m.tissue);
   auto matrix = tissue::build_system_matrix(m.tissue);
   tissue::corotate_into(corotation, m.tissue, m.mesh.nodes);
-  tissue::assemble_into(matrix, m.tissue, corotation, m.factors.mass, m.factors.stiffness);
+  tissue::set_factors(matrix, m.tissue, m.factors.mass, m.factors.stiffness);
   return numeric::build_coarse_space(std::span(m.mesh.nodes).first(m.tissue.free_nodes),
                                      [&](numeric::NodeVector& y, const numeric::NodeVector& x) {
                                        tissue::multiply_into(y, m.tissue, corotation, matrix, x);

@@ -133,12 +133,9 @@ double imbalance(const Model& m, const std::vector<double>& load) {
 struct Product {
   const Model& m;
   Scratch& w;
-  void operator()(NodeVector& y, const NodeVector& x) const {
+  template <class Real>
+  void operator()(numeric::NodeVectorOf<Real>& y, const numeric::NodeVectorOf<Real>& x) const {
     tissue::multiply_into(y, m.tissue, w.corotation, w.matrix, x);
-    add_rod(y, x, 1.0);
-  }
-  void operator()(numeric::NodeVectorOf<float>& y, const numeric::NodeVectorOf<float>& x) const {
-    tissue::multiply_into(y, m.tissue, w.matrix, x);
     add_rod(y, x, 1.0);
   }
   template <class Real>
@@ -220,14 +217,17 @@ bool improve(const Model& m, State& s, Scratch& w, RodOutcome& outcome) {
     motion.matrix.solve(w.rod.free_answer.data());
     w.right_hand_side = w.momentum;
     add_contacts(w.right_hand_side, m, s, w, 1.0);
-    const double norm = std::sqrt(numeric::dot(w.right_hand_side, w.right_hand_side));
+    double load = 0.0;
+    for (const RodContact& c : w.rod.contacts)
+      load += contact_load(c, m.scene.run.time_step * (at_contact(s.needle.rod.rate, c) - tissue_rate(s, c)))
+                  .norm();
     const Product product{m, w};
     w.residual = w.imbalance;
     add_contacts(w.residual, m, s, w, 1.0);
     product.add_rod(w.residual, s.velocity, -1.0);
     const numeric::SolveOutcome solve =
-        numeric::improve_refined_into(s.velocity, w.residual, m.scene.run.solver_tolerance * norm,
-                                      max_iterations, w.solver, product, preconditioner(m, w));
+        numeric::improve_refined_into(s.velocity, w.residual, residual_target(m, w, load), max_iterations,
+                                      w.solver, product, preconditioner(m, w));
     w.imbalance = w.residual;
     add_contacts(w.imbalance, m, s, w, -1.0);
     product.add_rod(w.imbalance, s.velocity, 1.0);

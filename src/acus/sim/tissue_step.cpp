@@ -1,17 +1,22 @@
 #include "acus/sim/tissue_step.h"
 
+#include <cmath>
+
 namespace acus {
 
 void assemble_tissue(const Model& m, const State& s, Scratch& w) {
   tissue::momentum_into(w.momentum, m.tissue, s.velocity, w.corotation.elastic_force, m.scene.run.time_step);
-  tissue::assemble_into(w.matrix, m.tissue, w.corotation, m.factors.mass, m.factors.stiffness);
 }
 
 void begin_tissue(const Model& m, State& s, Scratch& w) {
   w.velocity_before = s.velocity;
-  numeric::extrapolate(s.velocity, s.extrapolation);
-  tissue::multiply_into(w.imbalance, m.tissue, w.corotation, w.matrix, s.velocity);
-  numeric::scale_and_add_into(w.imbalance, -1.0, w.momentum);
+  s.velocity = w.velocity_expected;
+  tissue::imbalance_into(w.imbalance, m.tissue, m.factors, w.momentum, s.velocity, w.corotation.reaction);
+}
+
+double residual_target(const Model& m, const Scratch& w, double load) {
+  const double momentum = std::sqrt(numeric::dot(w.right_hand_side, w.right_hand_side));
+  return m.scene.run.solver_tolerance * (momentum + m.scene.run.time_step * load);
 }
 
 void move_tissue(const Model& m, State& s, Scratch& w, TissueBefore& before, const StepProbe& probe) {
@@ -22,7 +27,9 @@ void move_tissue(const Model& m, State& s, Scratch& w, TissueBefore& before, con
   before.matrix_product = numeric::dot(s.velocity, w.momentum) - numeric::dot(s.velocity, w.imbalance);
   probe(StepPart::ledger);
   tissue::move(s.position, s.velocity, h);
-  tissue::corotate_into(w.corotation, s.branch, m.tissue, s.position);
+  w.velocity_expected = s.velocity;
+  numeric::extrapolate(w.velocity_expected, s.extrapolation);
+  tissue::corotate_into(w.corotation, s.branch, m.tissue, s.position, w.velocity_expected);
   probe(StepPart::rotation);
 }
 

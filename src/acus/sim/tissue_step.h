@@ -22,6 +22,10 @@ void assemble_tissue(const Model& model, const State& state, Scratch& scratch);
 // complete.
 void begin_tissue(const Model& model, State& state, Scratch& scratch);
 
+// N s, what a solve may leave of `right_hand_side`: the scene's tolerance of that and of the `load` [N] on
+// the tissue. In a slow insertion the first is what hardly moves, a hundredth of the load and less.
+double residual_target(const Model& model, const Scratch& scratch, double load);
+
 // Jacobi and a coarse grid, for the matrix of the tissue alone.
 inline auto preconditioner(const Model& m, Scratch& w) {
   using Single = numeric::NodeVectorOf<float>;

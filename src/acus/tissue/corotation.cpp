@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "acus/numeric/polar.h"
-#include "acus/tissue/lanes.h"
+#include "acus/tissue/tracked_rotation.h"
 
 namespace acus::tissue {
 namespace {
@@ -18,88 +18,77 @@ constexpr int parts = lanes / width;           // parts in a batch of eight elem
 
 // Elements side by side. Matrices are column by column: entry (r, c) at 3 c + r.
 struct Part {
-  Lane g[9];         // gradients g_1, g_2, g_3, 1/m
-  Lane f[9];         // deformation gradient
-  Lane r[9];         // rotation
+  Lane edge[9];      // x_i - x_0 of corners 1 to 3, m
+  Lane q[9];         // rotated gradients, 1/m
   Lane force[4][4];  // N, corner by corner; beside it the share V tr(e) / 4 of the nodes' mean dilations
-  Lane energy;       // J
-  Lane relaxed;      // J
 };
 
-// Where a part's numbers of a Maxwell branch are kept.
-struct BranchPart {
-  const RelaxationStep& step;
-  double* spring;
-  double* strain;
+// What a kernel sums up over the elements, lane by lane.
+struct Sums {
+  Lane energy[parts]{}, relaxed[parts]{};
 };
 
-ACUS_INLINE void gather(Part& b, const double* gradient, const mesh::Tet* corners, const Vec3* x) {
-  for (int k = 0; k < 9; ++k) b.g[k] = load_part<Lane>(gradient + k * lanes);
-  Lane origin[4], corner[4], edge[9];
+ACUS_INLINE void store_part(double* to, const Lane& v) { std::memcpy(to, &v, sizeof v); }
+
+ACUS_INLINE void gather_edges(Part& b, const mesh::Tet* corners, const Vec3* x) {
+  Lane origin[4], corner[4];
   for (int i = 0; i < 4; ++i) {
     Lane4 node[width] = {};
     for (int l = 0; l < width; ++l) node[l] = numeric::load3(x[corners[l][i]].data());
     into_lanes(i == 0 ? origin : corner, node);
     if (i > 0)
-      for (int c = 0; c < 3; ++c) edge[3 * (i - 1) + c] = corner[c] - origin[c];
+      for (int c = 0; c < 3; ++c) b.edge[3 * (i - 1) + c] = corner[c] - origin[c];
   }
-  for (int d = 0; d < 3; ++d)
-    for (int c = 0; c < 3; ++c)
-      b.f[3 * d + c] = edge[c] * b.g[d] + edge[3 + c] * b.g[3 + d] + edge[6 + c] * b.g[6 + d];
 }
 
-// The rotations of a batch, by as many corrections as its slowest element needs. Returns for how many they
-// failed and were made up for.
-ACUS_INLINE int rotate(Part* batch) {
-  Lane first_determinant[parts]{}, change[parts]{}, norm_squared[parts]{};
-  for (int p = 0; p < parts; ++p)
-    for (int i = 0; i < 9; ++i) {
-      batch[p].r[i] = batch[p].f[i];
-      norm_squared[p] += batch[p].f[i] * batch[p].f[i];
-    }
-  for (int step = 0; step < numeric::newton_polar_max_steps; ++step) {
+// One element by itself, from its rest state, whatever it was before and is now.
+void rotate_safely(Part& b, int l, const double* gradient) {
+  Mat3 G, E;
+  for (int k = 0; k < 9; ++k) {
+    G.data()[k] = gradient[k * lanes + l];
+    E.data()[k] = b.edge[k][l];
+  }
+  const Mat3 F = E * G.transpose();
+  const Mat3 Q = F.allFinite() ? Mat3(numeric::rotation_of(F) * G) : G;
+  for (int k = 0; k < 9; ++k) b.q[k][l] = Q.data()[k];
+}
+
+// The rotations of a batch from those before, by as many corrections as its fastest element needs. Returns
+// for how many they failed and were made up for.
+ACUS_INLINE int follow(Part* batch, const double* gradient) {
+  Turn<Lane> turn[parts];
+  for (int step = 0; step < tracked_turn_most; ++step) {
     bool all = true;
     for (int p = 0; p < parts; ++p) {
-      Lane determinant{};
-      change[p] = numeric::newton_polar_step(batch[p].r, determinant);
-      if (step == 0) first_determinant[p] = determinant;
-      for (int l = 0; l < width; ++l) all = all && change[p][l] < numeric::newton_polar_converged;
+      Lane b[9];
+      gradient_of(b, batch[p].edge, batch[p].q);
+      turn[p] = correct_rotation(batch[p].q, b);
+      for (int l = 0; l < width; ++l) all = all && turn[p].change[l] < tracked_turn_converged;
     }
     if (all) break;
   }
   int failures = 0;
   for (int p = 0; p < parts; ++p)
     for (int l = 0; l < width; ++l) {
-      if (change[p][l] < numeric::newton_polar_converged &&
-          numeric::newton_polar_holds(first_determinant[p][l], norm_squared[p][l]))
-        continue;
-      Mat3 F;
-      for (int i = 0; i < 9; ++i) F.data()[i] = batch[p].f[i][l];
-      const Mat3 R = F.allFinite() ? numeric::rotation_of(F) : Mat3(Mat3::Identity());
-      for (int i = 0; i < 9; ++i) batch[p].r[i][l] = R.data()[i];
+      if (turn[p].change[l] < tracked_turn_converged && turn[p].margin[l] > 0.0) continue;
+      rotate_safely(batch[p], l, gradient + p * width);
       ++failures;
     }
   return failures;
 }
 
-// out_i = M v_i for three vectors side by side.
-ACUS_INLINE void turn(Lane* out, const Lane* matrix, const Lane* v) {
-  for (int i = 0; i < 3; ++i)
-    for (int c = 0; c < 3; ++c)
-      out[3 * i + c] = matrix[c] * v[3 * i] + matrix[3 + c] * v[3 * i + 1] + matrix[6 + c] * v[3 * i + 2];
-}
+// Where a part's numbers of a Maxwell branch are kept.
+struct BranchPart {
+  const RelaxationStep& step;
+  double* spring;
+  double* strain;
+  const double* gradient;  // at rest
+};
 
-// What corners 1 to 3 get, corner 0 gives.
-ACUS_INLINE void give_to_corners(Lane (*force)[4], const Lane* given) {
-  for (int c = 0; c < 3; ++c) {
-    for (int i = 0; i < 3; ++i) force[i + 1][c] = given[3 * i + c];
-    force[0][c] = -(given[c] + given[3 + c] + given[6 + c]);
-  }
-}
-
-// Takes a branch to the deviator of the strain `e`; its energy and what it spends go to `b`. Returns in
+// Takes a branch to the deviator of the strain `e`; its energy and what it spends go to `sums`. Returns in
 // `pull` V times the stress that is left of it at the end of the next step, xx yy zz xy xz yz.
-ACUS_INLINE void relax(Part& b, const BranchPart& branch, Lane* pull, const Lane* e, Lane two_mu_v) {
+ACUS_INLINE void relax(Lane& energy, Lane& relaxed, const BranchPart& branch, Lane* pull, const Lane* e,
+                       Lane two_mu_v) {
   const RelaxationStep& r = branch.step;
   const Lane modulus = r.modulus * two_mu_v;
   Lane stored{}, spent{};
@@ -115,8 +104,8 @@ ACUS_INLINE void relax(Part& b, const BranchPart& branch, Lane* pull, const Lane
     std::memcpy(branch.spring + k * lanes, &now, sizeof now);
     std::memcpy(branch.strain + k * lanes, &e[k], sizeof e[k]);
   }
-  b.energy += 0.5 * modulus * stored;
-  b.relaxed = modulus * spent;
+  energy += 0.5 * modulus * stored;
+  relaxed += modulus * spent;
 }
 
 // Where stretch S = R^T F and stress T do not share their axes, as with a branch they need not, the rotation
@@ -139,117 +128,200 @@ ACUS_INLINE void skew_stress(Lane* z, const Lane* s, const Lane* t) {
   z[2] = inverse * (minor[4] * twist[0] + minor[5] * twist[1] + minor[2] * twist[2]);
 }
 
-// `branch` is a BranchPart, or nothing.
-template <class... Branch>
-ACUS_INLINE void respond(Part& b, double* rotated_gradient, Lane volume, Lane mu, Lane lambda,
-                         const Branch&... branch) {
-  Lane q[9];  // R g_i of corners 1 to 3, 1/m
-  turn(q, b.r, b.g);
-  for (int k = 0; k < 9; ++k) std::memcpy(rotated_gradient + k * lanes, &q[k], sizeof q[k]);
-  Lane stretch[9];  // R^T F
-  for (int j = 0; j < 3; ++j)
+// R of R G = Q.
+ACUS_INLINE void rotation_between(Lane* r, const Lane* g, const Lane* q) {
+  Lane cofactor[9];
+  const Lane inverse = 1.0 / numeric::cofactor_into(cofactor, g);
+  for (int c = 0; c < 3; ++c)
     for (int i = 0; i < 3; ++i)
-      stretch[3 * j + i] =
-          b.r[3 * i] * b.f[3 * j] + b.r[3 * i + 1] * b.f[3 * j + 1] + b.r[3 * i + 2] * b.f[3 * j + 2];
-  const Lane xx = stretch[0] - 1.0, yy = stretch[4] - 1.0, zz = stretch[8] - 1.0;
-  const Lane xy = 0.5 * (stretch[1] + stretch[3]);
-  const Lane xz = 0.5 * (stretch[2] + stretch[6]);
-  const Lane yz = 0.5 * (stretch[5] + stretch[7]);
-  const Lane trace = xx + yy + zz;
-  b.energy = volume * (mu * (xx * xx + yy * yy + zz * zz + 2.0 * (xy * xy + xz * xz + yz * yz)) +
-                       0.5 * lambda * trace * trace);
-  const Lane minus_two_mu_v = -2.0 * mu * volume;
-  const Lane p = -lambda * trace * volume;
-  Lane s[9] = {minus_two_mu_v * xx + p, minus_two_mu_v * xy,     minus_two_mu_v * xz,
-               minus_two_mu_v * xy,     minus_two_mu_v * yy + p, minus_two_mu_v * yz,
-               minus_two_mu_v * xz,     minus_two_mu_v * yz,     minus_two_mu_v * zz + p};  // -V sigma
-  if constexpr (sizeof...(branch) > 0) {
-    const Lane third = trace / 3.0;
-    const Lane deviator[strain_numbers] = {xx - third, yy - third, zz - third, xy, xz, yz};
-    Lane pull[strain_numbers];
-    relax(b, branch..., pull, deviator, 2.0 * mu * volume);
-    constexpr int place[9] = {0, 3, 4, 3, 1, 5, 4, 5, 2};
-    for (int k = 0; k < 9; ++k) s[k] -= pull[place[k]];
-    const Lane stretched[strain_numbers] = {xx + 1.0, yy + 1.0, zz + 1.0, xy, xz, yz};
-    Lane z[3];
-    skew_stress(z, stretched, pull);
-    s[5] -= z[0], s[7] += z[0];
-    s[6] -= z[1], s[2] += z[1];
-    s[1] -= z[2], s[3] += z[2];
+      r[3 * c + i] = inverse * (q[i] * cofactor[c] + q[3 + i] * cofactor[3 + c] + q[6 + i] * cofactor[6 + c]);
+}
+
+// A symmetric tensor from the frame of the element to that of space, R T R^T, or back.
+enum class Way { forward, back };
+template <Way way>
+ACUS_INLINE void turn_tensor(Lane* out, const Lane* r, const Lane* t) {
+  constexpr int row = way == Way::forward ? 1 : 3, column = way == Way::forward ? 3 : 1;
+  constexpr int first[6] = {0, 1, 2, 0, 0, 1}, second[6] = {0, 1, 2, 1, 2, 2};
+  Lane half[3][3];  // T times the turned axes
+  for (int i = 0; i < 3; ++i) {
+    const Lane x = r[row * i], y = r[row * i + column], z = r[row * i + 2 * column];
+    half[i][0] = t[0] * x + t[3] * y + t[4] * z;
+    half[i][1] = t[3] * x + t[1] * y + t[5] * z;
+    half[i][2] = t[4] * x + t[5] * y + t[2] * z;
   }
-  Lane rotated[9], given[9];
-  turn(rotated, b.r, s);
-  turn(given, rotated, b.g);
-  give_to_corners(b.force, given);
+  for (int k = 0; k < 6; ++k) {
+    const Lane* a = r + row * first[k];
+    const Lane* h = half[second[k]];
+    out[k] = a[0] * h[0] + a[column] * h[1] + a[2 * column] * h[2];
+  }
+}
+
+// What a Maxwell branch adds to -V sigma, and what its skew part adds to the forces on corners 1 to 3. The
+// branch lives in the frame of the element.
+ACUS_INLINE void add_branch(const Part& b, Sums& sums, int part, const BranchPart& branch, Lane* s, Lane* z,
+                            const Lane* strain, Lane two_mu_v) {
+  Lane g[9], r[9], strain_at_rest[6], pull_at_rest[6], pull[6];
+  for (int k = 0; k < 9; ++k) g[k] = load_part<Lane>(branch.gradient + k * lanes);
+  rotation_between(r, g, b.q);
+  turn_tensor<Way::back>(strain_at_rest, r, strain);
+  const Lane third = (strain[0] + strain[1] + strain[2]) / 3.0;
+  for (int k = 0; k < 3; ++k) strain_at_rest[k] -= third;
+  relax(sums.energy[part], sums.relaxed[part], branch, pull_at_rest, strain_at_rest, two_mu_v);
+  turn_tensor<Way::forward>(pull, r, pull_at_rest);
+  for (int k = 0; k < 6; ++k) s[k] -= pull[k];
+  const Lane stretch[6] = {strain[0] + 1.0, strain[1] + 1.0, strain[2] + 1.0,
+                           strain[3],       strain[4],       strain[5]};
+  skew_stress(z, stretch, pull);
+}
+
+// Strain, energy and force. `branch` is a BranchPart, or nothing.
+template <class... Branch>
+ACUS_INLINE void respond(Part& b, Sums& sums, int part, Lane volume, Lane mu, Lane lambda,
+                         const Branch&... branch) {
+  Lane f[9], s[6];
+  gradient_of(f, b.edge, b.q);
+  const Lane e[6] = {f[0] - 1.0,          f[4] - 1.0,          f[8] - 1.0,
+                     0.5 * (f[1] + f[3]), 0.5 * (f[2] + f[6]), 0.5 * (f[5] + f[7])};
+  const Lane trace = e[0] + e[1] + e[2];
+  const Lane square =
+      e[0] * e[0] + e[1] * e[1] + e[2] * e[2] + 2.0 * (e[3] * e[3] + e[4] * e[4] + e[5] * e[5]);
+  sums.energy[part] += volume * (mu * square + 0.5 * lambda * trace * trace);
+  const Lane minus_two_mu_v = -2.0 * mu * volume, minus_bulk_v = -lambda * volume * trace;
+  for (int k = 0; k < 6; ++k) s[k] = minus_two_mu_v * e[k];
+  for (int k = 0; k < 3; ++k) s[k] += minus_bulk_v;
+  if constexpr (sizeof...(branch) > 0) {
+    Lane z[3];
+    add_branch(b, sums, part, branch..., s, z, e, 2.0 * mu * volume);
+    corner_forces(b.force, s, b.q);
+    for (int i = 0; i < 3; ++i) {
+      const Lane x = b.q[3 * i], y = b.q[3 * i + 1], w = b.q[3 * i + 2];
+      b.force[i + 1][0] -= z[1] * w - z[2] * y;
+      b.force[i + 1][1] -= z[2] * x - z[0] * w;
+      b.force[i + 1][2] -= z[0] * y - z[1] * x;
+    }
+    balance_corner_0(b.force);
+  } else {
+    corner_forces(b.force, s, b.q);
+  }
+  for (auto& force : b.force) force[3] = 0.25 * volume * trace;
+}
+
+// K' times the field, with the moduli of a step.
+ACUS_INLINE void react(Part& b, const double* field, const mesh::Tet* offsets, Lane volume, Lane mu,
+                       Lane lambda) {
+  Lane edge[9], g[9], s[6];
+  tissue::gather_edges(edge, field, offsets);
+  gradient_of(g, edge, b.q);
+  const Lane trace = g[0] + g[4] + g[8];
+  stress_of(s, g, trace, mu * volume, lambda * volume);
+  corner_forces(b.force, s, b.q);
   for (auto& force : b.force) force[3] = 0.25 * volume * trace;
 }
 
 // `branch` is a MaxwellBranch, or nothing.
 template <class... Branch>
-ACUS_INLINE void each_element(Corotation& out, const TissueModel& m, const Vec3* x, Branch&... branch) {
+ACUS_INLINE Sums each_element(Corotation& out, const TissueModel& m, const Vec3* x, Branch&... branch) {
+  Sums sums;
   for (std::size_t first = 0; first < m.corners.size(); first += lanes) {
     Part batch[parts];
-    for (int p = 0; p < parts; ++p)
-      gather(batch[p], &m.gradient[9 * first + p * width], m.corners.data() + first + p * width, x);
-    out.newton_failures += rotate(batch);
-    BatchSum<double, Lane> sum(out.elastic_force.data(), m.offsets.data() + first);
+    const mesh::Tet* offsets = m.offsets.data() + first;
+    const double* gradient = &m.gradient[9 * first];
+    double* q = &out.rotated_gradient[9 * first];
+    float* single = &out.single_gradient[9 * (first / padding * padding) + first % padding];
     for (int p = 0; p < parts; ++p) {
+      gather_edges(batch[p], m.corners.data() + first + p * width, x);
+      for (int k = 0; k < 9; ++k) batch[p].q[k] = load_part<Lane>(q + p * width + k * lanes);
+    }
+    out.newton_failures += follow(batch, gradient);
+    BatchSum<double, Lane> force(out.elastic_force.data(), offsets);
+    for (int p = 0; p < parts; ++p) {
+      Part& b = batch[p];
       const std::size_t at = first + p * width;
       [[maybe_unused]] const std::size_t of_branch = strain_numbers * first + p * width;
-      respond(batch[p], &out.rotated_gradient[9 * first + p * width], load_part<Lane>(&m.volume[at]),
-              load_part<Lane>(&m.shear[at]), load_part<Lane>(&m.local_lambda[at]),
-              BranchPart{m.relaxation, &branch.spring[of_branch], &branch.strain[of_branch]}...);
-      for (int i = 0; i < 4; ++i) sum.take(p, i, batch[p].force[i]);
-      for (int l = 0; l < width; ++l) out.energy += batch[p].energy[l];
-      if constexpr (sizeof...(branch) > 0)
-        for (int l = 0; l < width; ++l) out.relaxed += batch[p].relaxed[l];
+      for (int k = 0; k < 9; ++k) {
+        store_part(q + p * width + k * lanes, b.q[k]);
+        for (int l = 0; l < width; ++l) single[k * padding + p * width + l] = static_cast<float>(b.q[k][l]);
+      }
+      respond(b, sums, p, load_part<Lane>(&m.volume[at]), load_part<Lane>(&m.shear[at]),
+              load_part<Lane>(&m.local_lambda[at]),
+              BranchPart{m.relaxation, &branch.spring[of_branch], &branch.strain[of_branch],
+                         gradient + p * width}...);
+      for (int i = 0; i < 4; ++i) force.take(p, i, b.force[i]);
     }
-    sum.finish();
-  }
-}
-
-ACUS_KERNEL void corotate_elements(Corotation& out, const TissueModel& m, const Vec3* x) {
-  each_element(out, m, x);
-}
-
-ACUS_KERNEL void corotate_and_relax_elements(Corotation& out, MaxwellBranch& branch, const TissueModel& m,
-                                             const Vec3* x) {
-  each_element(out, m, x, branch);
-}
-
-// Energy and force of the mean dilations: f_i -= (V / 4) (sum over the corners of kappa theta) R g_i.
-ACUS_KERNEL void add_nodal_pressure(Corotation& out, const TissueModel& m) {
-  for (int a = 0; a < m.nodes; ++a) {
-    out.dilation[a] = out.elastic_force[static_cast<std::size_t>(node_stride) * a + 3] / m.node_volume[a];
-    out.energy += 0.5 * m.node_bulk_modulus[a] * m.node_volume[a] * out.dilation[a] * out.dilation[a];
-  }
-  for (std::size_t first = 0; first < m.corners.size(); first += lanes) {
-    BatchSum<double, Lane> sum(out.elastic_force.data(), m.offsets.data() + first);
+    force.finish();
+    BatchSum<double, Lane> reaction(out.reaction.data(), offsets);
     for (int p = 0; p < parts; ++p) {
       const std::size_t at = first + p * width;
-      Lane pressure{}, given[9], force[4][4] = {};
-      for (int l = 0; l < width; ++l)
-        for (int node : m.corners[at + l]) pressure[l] += m.node_bulk_modulus[node] * out.dilation[node];
-      const Lane factor = -0.25 * load_part<Lane>(&m.volume[at]) * pressure;
-      for (int k = 0; k < 9; ++k)
-        given[k] = factor * load_part<Lane>(&out.rotated_gradient[9 * first + p * width + k * lanes]);
-      give_to_corners(force, given);
-      for (int i = 0; i < 4; ++i) sum.take(p, i, force[i]);
+      react(batch[p], out.field.data(), offsets + p * width, load_part<Lane>(&m.volume[at]),
+            load_part<Lane>(&m.step_shear[at]), load_part<Lane>(&m.step_lambda[at]));
+      for (int i = 0; i < 4; ++i) reaction.take(p, i, batch[p].force[i]);
     }
-    sum.finish();
+    reaction.finish();
+  }
+  return sums;
+}
+
+ACUS_KERNEL Sums corotate_elements(Corotation& out, const TissueModel& m, const Vec3* x) {
+  return each_element(out, m, x);
+}
+
+ACUS_KERNEL Sums corotate_and_relax_elements(Corotation& out, MaxwellBranch& branch, const TissueModel& m,
+                                             const Vec3* x) {
+  return each_element(out, m, x, branch);
+}
+
+// Energy and force of the mean dilations, f_i -= (V / 4) (sum over the corners of kappa theta) R g_i, and
+// what the field's dilations add to the reaction. The two pressures of a node stand side by side in `field`.
+ACUS_KERNEL void add_nodal_pressure(Corotation& out, const TissueModel& m) {
+  for (int a = 0; a < m.nodes; ++a) {
+    const std::size_t at = static_cast<std::size_t>(node_stride) * a;
+    out.dilation[a] = out.elastic_force[at + 3] / m.node_volume[a];
+    const double pressure = m.node_bulk_modulus[a] * out.dilation[a];
+    out.energy += 0.5 * pressure * out.elastic_force[at + 3];
+    out.field[at] = -pressure;
+    out.field[at + 1] = m.node_bulk_modulus[a] * (out.reaction[at + 3] / m.node_volume[a]);
+  }
+  for (std::size_t first = 0; first < m.corners.size(); first += lanes) {
+    const mesh::Tet* offsets = m.offsets.data() + first;
+    BatchSum<double, Lane> force(out.elastic_force.data(), offsets), reaction(out.reaction.data(), offsets);
+    for (int p = 0; p < parts; ++p) {
+      Lane sum[4], q[9], given[4][4] = {};
+      sum_corners(sum, out.field.data(), offsets + p * width);
+      for (int k = 0; k < 9; ++k)
+        q[k] = load_part<Lane>(&out.rotated_gradient[9 * first + p * width + k * lanes]);
+      const Lane quarter = 0.25 * load_part<Lane>(&m.volume[first + p * width]);
+      corner_forces_of_pressure(given, quarter * sum[0], q);
+      for (int i = 0; i < 4; ++i) force.take(p, i, given[i]);
+      corner_forces_of_pressure(given, quarter * sum[1], q);
+      for (int i = 0; i < 4; ++i) reaction.take(p, i, given[i]);
+    }
+    force.finish();
+    reaction.finish();
   }
 }
 
-void clear(Corotation& out) {
+void clear(Corotation& out, const numeric::NodeVector& field) {
   std::fill(out.elastic_force.begin(), out.elastic_force.end(), 0.0);
-  std::fill(out.dilation.begin(), out.dilation.end(), 0.0);
-  out.energy = out.relaxed = 0.0;
+  std::fill(out.reaction.begin(), out.reaction.end(), 0.0);
+  // Held nodes stay zero; where there is no field all do.
+  std::fill(std::copy(field.begin(), field.end(), out.field.begin()), out.field.end(), 0.0);
   out.newton_failures = 0;
 }
 
-void finish(Corotation& out, const TissueModel& model) {
+double total(const Lane* sums) {
+  double sum = 0.0;
+  for (int p = 0; p < parts; ++p)
+    for (int l = 0; l < width; ++l) sum += sums[p][l];
+  return sum;
+}
+
+void finish(Corotation& out, const TissueModel& model, const Sums& sums) {
+  out.energy = total(sums.energy);
+  out.relaxed = total(sums.relaxed);
   if (model.kind == ElementKind::nodal_pressure) add_nodal_pressure(out, model);
-  for (std::size_t i = 3; i < out.elastic_force.size(); i += node_stride) out.elastic_force[i] = 0.0;
+  for (std::size_t i = 3; i < out.elastic_force.size(); i += node_stride)
+    out.elastic_force[i] = out.reaction[i] = 0.0;
   out.finite = std::isfinite(out.energy);
 }
 
@@ -257,24 +329,25 @@ void finish(Corotation& out, const TissueModel& model) {
 
 Corotation build_corotation(const TissueModel& model) {
   Corotation c;
-  c.rotated_gradient.assign(9 * model.corners.size(), 0.0);
+  c.rotated_gradient = model.gradient;
+  c.single_gradient.assign(model.gradient.size(), 0.0F);
   c.elastic_force.assign(static_cast<std::size_t>(model.nodes) * node_stride, 0.0);
+  c.reaction = c.field = c.elastic_force;
   if (model.kind == ElementKind::nodal_pressure) c.dilation.assign(model.nodes, 0.0);
   return c;
 }
 
-void corotate_into(Corotation& out, const TissueModel& model, std::span<const Vec3> positions) {
-  clear(out);
-  corotate_elements(out, model, positions.data());
-  finish(out, model);
+void corotate_into(Corotation& out, const TissueModel& model, std::span<const Vec3> positions,
+                   const numeric::NodeVector& field) {
+  clear(out, field);
+  finish(out, model, corotate_elements(out, model, positions.data()));
 }
 
 void corotate_into(Corotation& out, MaxwellBranch& branch, const TissueModel& model,
-                   std::span<const Vec3> positions) {
-  if (!model.relaxation.relaxes()) return corotate_into(out, model, positions);
-  clear(out);
-  corotate_and_relax_elements(out, branch, model, positions.data());
-  finish(out, model);
+                   std::span<const Vec3> positions, const numeric::NodeVector& field) {
+  if (!model.relaxation.relaxes()) return corotate_into(out, model, positions, field);
+  clear(out, field);
+  finish(out, model, corotate_and_relax_elements(out, branch, model, positions.data()));
 }
 
 }  // namespace acus::tissue

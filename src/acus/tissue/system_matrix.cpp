@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "acus/tissue/lanes.h"
+#include "acus/tissue/element.h"
 
 namespace acus::tissue {
 namespace {
@@ -48,30 +48,22 @@ class PackedElements {
  public:
   using Real = float;
   using Lane = PackedLane;
-  ACUS_INLINE explicit PackedElements(const SystemMatrix& a) : element_(a.element.data()) {}
+  ACUS_INLINE PackedElements(const SystemMatrix& a, const Corotation& corotation)
+      : gradient_(corotation.single_gradient.data()), element_(a.element.data()) {}
   ACUS_INLINE void go_to(std::size_t first, int part) {
-    first_ = element_ + first * element_numbers + part * lanes_in<Real, Lane>;
+    const int skipped = part * lanes_in<Real, Lane>;
+    batch_ = gradient_ + 9 * first + skipped;
+    first_ = element_ + element_numbers * first + skipped;
   }
-  ACUS_INLINE Lane q(int k) const { return load_part<Lane>(first_ + k * padding); }
-  ACUS_INLINE Lane mu_v() const { return q(9); }
-  ACUS_INLINE Lane lambda_v() const { return q(10); }
-  ACUS_INLINE Lane quarter_v() const { return q(11); }
+  ACUS_INLINE Lane q(int k) const { return load_part<Lane>(batch_ + k * padding); }
+  ACUS_INLINE Lane mu_v() const { return load_part<Lane>(first_); }
+  ACUS_INLINE Lane lambda_v() const { return load_part<Lane>(first_ + padding); }
+  ACUS_INLINE Lane quarter_v() const { return load_part<Lane>(first_ + 2 * padding); }
 
  private:
-  const float* element_;
-  const float* first_ = nullptr;
+  const float *gradient_, *element_;
+  const float *batch_ = nullptr, *first_ = nullptr;
 };
-
-// The edges x_i - x_0 of a field on the elements, i = 1 .. 3, component by component.
-template <class Real, class Lane>
-ACUS_INLINE void gather_edges(Lane* edge, const Real* field, const mesh::Tet* offsets) {
-  Lane origin[4], corner[4];
-  gather_corner(origin, field, offsets, 0);
-  for (int i = 0; i < 3; ++i) {
-    gather_corner(corner, field, offsets, i + 1);
-    for (int c = 0; c < 3; ++c) edge[3 * i + c] = corner[c] - origin[c];
-  }
-}
 
 // Calls `respond` for the parts of each batch of elements with the part's own `offsets`, and adds up what it
 // puts.
@@ -100,23 +92,13 @@ ACUS_INLINE void add_local(const TissueModel& m, const Elements& elements, const
   add_elements(
       m, elements, reaction,
       [&](const Elements& s, const mesh::Tet* offsets, const auto& put) __attribute__((always_inline)) {
-        Lane edge[9], g[9];  // entry (r, c) of G at 3 c + r
+        Lane edge[9], q[9], g[9], stress[6], force[4][4];
         gather_edges(edge, field, offsets);
-        for (int c = 0; c < 3; ++c)
-          for (int r = 0; r < 3; ++r)
-            g[3 * c + r] = edge[r] * s.q(c) + edge[3 + r] * s.q(3 + c) + edge[6 + r] * s.q(6 + c);
+        for (int k = 0; k < 9; ++k) q[k] = s.q(k);
+        gradient_of(g, edge, q);
         const Lane trace = g[0] + g[4] + g[8];
-        const Lane mu = s.mu_v(), two_mu = mu + mu, bulk = s.lambda_v() * trace;
-        const Lane xx = two_mu * g[0] + bulk, yy = two_mu * g[4] + bulk, zz = two_mu * g[8] + bulk;
-        const Lane xy = mu * (g[1] + g[3]), xz = mu * (g[2] + g[6]), yz = mu * (g[5] + g[7]);
-        Lane force[4][4];
-        for (int i = 0; i < 3; ++i) {
-          const Lane qx = s.q(3 * i), qy = s.q(3 * i + 1), qz = s.q(3 * i + 2);
-          force[i + 1][0] = xx * qx + xy * qy + xz * qz;
-          force[i + 1][1] = xy * qx + yy * qy + yz * qz;
-          force[i + 1][2] = xz * qx + yz * qy + zz * qz;
-        }
-        for (int c = 0; c < 3; ++c) force[0][c] = -(force[1][c] + force[2][c] + force[3][c]);
+        stress_of(stress, g, trace, s.mu_v(), s.lambda_v());
+        corner_forces(force, stress, q);
         for (int i = 0; i < 4; ++i) {
           force[i][3] = with_dilation ? s.quarter_v() * trace : Lane{};
           put(i, force[i]);
@@ -133,12 +115,10 @@ ACUS_INLINE void add_pressure(const TissueModel& m, const Elements& elements, co
   add_elements(
       m, elements, reaction,
       [&](const Elements& s, const mesh::Tet* offsets, const auto& put) __attribute__((always_inline)) {
-        Lane sum[4], force[4][4];
+        Lane sum[4], q[9], force[4][4];
         sum_corners(sum, field, offsets);
-        const Lane bulk = s.quarter_v() * sum[3];
-        for (int i = 0; i < 3; ++i)
-          for (int c = 0; c < 3; ++c) force[i + 1][c] = bulk * s.q(3 * i + c);
-        for (int c = 0; c < 3; ++c) force[0][c] = -(force[1][c] + force[2][c] + force[3][c]);
+        for (int k = 0; k < 9; ++k) q[k] = s.q(k);
+        corner_forces_of_pressure(force, s.quarter_v() * sum[3], q);
         for (int i = 0; i < 4; ++i) {
           force[i][3] = Lane{};
           put(i, force[i]);
@@ -168,28 +148,10 @@ ACUS_KERNEL void react_exactly(const SystemMatrix& a, const TissueModel& m, cons
       a.reaction.data());
 }
 
-ACUS_KERNEL void react_packed(const SystemMatrix& a, const TissueModel& m) {
+ACUS_KERNEL void react_packed(const SystemMatrix& a, const TissueModel& m, const Corotation& corotation) {
   react(
-      m, PackedElements(a), [&](int n) { return a.pressure_weight[n]; }, a.field_single.data(),
+      m, PackedElements(a, corotation), [&](int n) { return a.pressure_weight[n]; }, a.field_single.data(),
       a.reaction_single.data());
-}
-
-ACUS_KERNEL void pack_elements(SystemMatrix& out, const TissueModel& m, const Corotation& corotation) {
-  using Lane = ExactElements::Lane;
-  constexpr int width = lanes_in<double, Lane>;
-  ExactElements from(m, corotation, out.stiffness_factor);
-  for (std::size_t first = 0; first < m.offsets.size(); first += lanes)
-    for (int part = 0; part < lanes / width; ++part) {
-      from.go_to(first, part);
-      float* to = &out.element[first / padding * padding * element_numbers + first % padding + part * width];
-      const auto pack = [&](int k, Lane value) {
-        for (int l = 0; l < width; ++l) to[k * padding + l] = static_cast<float>(value[l]);
-      };
-      for (int k = 0; k < 9; ++k) pack(k, from.q(k));
-      pack(9, from.mu_v());
-      pack(10, from.lambda_v());
-      pack(11, from.quarter_v());
-    }
 }
 
 // y = mass x + reaction
@@ -219,11 +181,15 @@ SystemMatrix build_system_matrix(const TissueModel& model) {
   return a;
 }
 
-void assemble_into(SystemMatrix& out, const TissueModel& model, const Corotation& corotation,
-                   double mass_factor, double stiffness_factor) {
+void set_factors(SystemMatrix& out, const TissueModel& model, double mass_factor, double stiffness_factor) {
   out.mass_factor = mass_factor;
   out.stiffness_factor = stiffness_factor;
-  pack_elements(out, model, corotation);
+  for (std::size_t e = 0; e < model.offsets.size(); ++e) {
+    float* to = &out.element[element_numbers * (e / padding * padding) + e % padding];
+    to[0] = static_cast<float>(stiffness_factor * model.step_shear[e] * model.volume[e]);
+    to[padding] = static_cast<float>(stiffness_factor * model.step_lambda[e] * model.volume[e]);
+    to[2 * padding] = static_cast<float>(0.25 * model.volume[e]);
+  }
   for (int i = 0; i < model.free_nodes; ++i) {
     const double mass = mass_factor * model.node_mass[i];
     out.mass[i] = static_cast<float>(mass);
@@ -243,11 +209,11 @@ void multiply_into(numeric::NodeVector& y, const TissueModel& model, const Corot
       y, [&](int i) { return a.mass_factor * model.node_mass[i]; }, x, a.reaction);
 }
 
-void multiply_into(numeric::NodeVectorOf<float>& y, const TissueModel& model, const SystemMatrix& a,
-                   const numeric::NodeVectorOf<float>& x) {
+void multiply_into(numeric::NodeVectorOf<float>& y, const TissueModel& model, const Corotation& corotation,
+                   const SystemMatrix& a, const numeric::NodeVectorOf<float>& x) {
   std::copy(x.begin(), x.end(), a.field_single.begin());
   std::fill(a.reaction_single.begin(), a.reaction_single.end(), 0.0F);
-  react_packed(a, model);
+  react_packed(a, model, corotation);
   add_inertia(
       y, [&](int i) { return a.mass[i]; }, x, a.reaction_single);
 }

@@ -17,13 +17,13 @@
 namespace acus::tissue {
 
 // A = mass_factor M + stiffness_factor K', over the free nodes. In double it is applied straight from the
-// rotated gradients; the inner iterations of a solve use a copy in single precision, packed for them.
-inline constexpr int element_numbers = 12;  // q_1, q_2, q_3; V mu and V lambda with the factor; V / 4
+// rotated gradients; the inner iterations of a solve use their copy in single precision.
+inline constexpr int element_numbers = 3;  // V mu and V lambda with the factor, V / 4
 struct SystemMatrix {
   double mass_factor = 1.0;
   double stiffness_factor = 0.0;
 
-  std::vector<float> element;          // [groups of 16][element_numbers][16]
+  std::vector<float> element;          // [groups of 16][element_numbers][16] m^3 Pa and m^3
   std::vector<float> mass;             // [free nodes] kg, with the factor
   std::vector<float> pressure_weight;  // [nodes] kappa_a / V_a with the factor; empty for linear
   // [free nodes] 3 / trace of A's diagonal block at rest: Jacobi's preconditioner. A rotation leaves a trace
@@ -38,15 +38,13 @@ struct SystemMatrix {
 
 SystemMatrix build_system_matrix(const TissueModel& model);
 
-// K' at the configuration of `corotation`.
-void assemble_into(SystemMatrix& out, const TissueModel& model, const Corotation& corotation,
-                   double mass_factor, double stiffness_factor);
+void set_factors(SystemMatrix& out, const TissueModel& model, double mass_factor, double stiffness_factor);
 
 // y = A x with the factors of `a` and K' at the configuration of `corotation`.
 void multiply_into(numeric::NodeVector& y, const TissueModel& model, const Corotation& corotation,
                    const SystemMatrix& a, const numeric::NodeVector& x);
-// The same in single precision, as assembled.
-void multiply_into(numeric::NodeVectorOf<float>& y, const TissueModel& model, const SystemMatrix& a,
-                   const numeric::NodeVectorOf<float>& x);
+// The same in single precision.
+void multiply_into(numeric::NodeVectorOf<float>& y, const TissueModel& model, const Corotation& corotation,
+                   const SystemMatrix& a, const numeric::NodeVectorOf<float>& x);
 
 }  // namespace acus::tissue

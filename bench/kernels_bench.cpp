@@ -40,7 +40,7 @@ void rotation_and_force(benchmark::State& state) {
   constexpr double turn = 1e-3;  // rad
   for (Vec3& x : there) x.x() += turn * x.z();
   for (auto _ : state) {
-    tissue::corotate_into(a.scratch.corotation, model().tissue, there, a.x);
+    tissue::corotate_into(a.scratch.corotation, model().tissue, there);
     std::swap(there, back);
   }
   count(state, model().tissue.tets);

@@ -64,6 +64,23 @@ ACUS_INLINE ElementLane<Real> load_lanes(const Real* p) {
   std::memcpy(&v, p, sizeof v);
   return v;
 }
+// Of eight numbers in however many vectors, in one order.
+template <class Lane, int parts>
+ACUS_INLINE double sum(const Lane (&v)[parts]) {
+  static_assert(sizeof v == 8 * sizeof(double));
+  double n[8];
+  std::memcpy(n, v, sizeof n);
+  return ((n[0] + n[4]) + (n[1] + n[5])) + ((n[2] + n[6]) + (n[3] + n[7]));
+}
+template <class Lane, int parts>
+ACUS_INLINE double least(const Lane (&v)[parts]) {
+  static_assert(sizeof v == 8 * sizeof(double));
+  double n[8];
+  std::memcpy(n, v, sizeof n);
+  double smallest = n[0];
+  for (int i = 1; i < 8; ++i) smallest = n[i] < smallest ? n[i] : smallest;
+  return smallest;
+}
 ACUS_INLINE double sum(Lane4 v) { return (v[0] + v[1]) + (v[2] + v[3]); }
 
 }  // namespace acus::numeric

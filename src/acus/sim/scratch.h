@@ -59,12 +59,12 @@ struct Scratch {
   numeric::NodeVector residual;             // of the equation with the contacts
   numeric::NodeVectorOf<float> stick_load;  // answer wanted for a unit rate of the needle
   numeric::NodeVector velocity_before;      // at the start of the step
-  numeric::NodeVector velocity_expected;    // of the next step, to which `corotation` gives the reaction
-  numeric::NodeVector velocity_tried;       // at the start of a line search
-  numeric::NodeVector imbalance_tried;      // there
-  numeric::NodeVectorOf<float> answer;      // as state.influence, for resistance()
-  std::vector<HeldPoint> held;              // of a column: the tip first
-  RodScratch rod;                           // of a rod
+
+  numeric::NodeVector velocity_tried;   // at the start of a line search
+  numeric::NodeVector imbalance_tried;  // there
+  numeric::NodeVectorOf<float> answer;  // as state.influence, for resistance()
+  std::vector<HeldPoint> held;          // of a column: the tip first
+  RodScratch rod;                       // of a rod
 };
 Scratch build_scratch(const Model& model);
 

@@ -4,14 +4,31 @@
 
 namespace acus {
 
+namespace {
+
+// y = A x as exactly as the scene's tolerance asks for. What floats lose of x is a share of its inertia and
+// of the forces of one step's motion, both a thousandth of the load and less.
+void multiply_as_exactly(numeric::NodeVector& y, const Model& m, Scratch& w, const numeric::NodeVector& x) {
+  constexpr double floats_will_do = 1e-7;  // of the load
+  if (m.scene.run.solver_tolerance < floats_will_do)
+    return tissue::multiply_into(y, m.tissue, w.corotation, w.matrix, x);
+  numeric::NodeVectorOf<float>&single = w.solver.single.direction, &product = w.solver.single.product;
+  numeric::scale_into(single, 1.0, x);
+  tissue::multiply_into(product, m.tissue, w.corotation, w.matrix, single);
+  numeric::scale_into(y, 1.0, product);
+}
+
+}  // namespace
+
 void assemble_tissue(const Model& m, const State& s, Scratch& w) {
   tissue::momentum_into(w.momentum, m.tissue, s.velocity, w.corotation.elastic_force, m.scene.run.time_step);
 }
 
 void begin_tissue(const Model& m, State& s, Scratch& w) {
   w.velocity_before = s.velocity;
-  s.velocity = w.velocity_expected;
-  tissue::imbalance_into(w.imbalance, m.tissue, m.factors, w.momentum, s.velocity, w.corotation.reaction);
+  numeric::extrapolate(s.velocity, s.extrapolation);
+  multiply_as_exactly(w.imbalance, m, w, s.velocity);
+  numeric::scale_and_add_into(w.imbalance, -1.0, w.momentum);
 }
 
 double residual_target(const Model& m, const Scratch& w, double load) {
@@ -27,9 +44,7 @@ void move_tissue(const Model& m, State& s, Scratch& w, TissueBefore& before, con
   before.matrix_product = numeric::dot(s.velocity, w.momentum) - numeric::dot(s.velocity, w.imbalance);
   probe(StepPart::ledger);
   tissue::move(s.position, s.velocity, h);
-  w.velocity_expected = s.velocity;
-  numeric::extrapolate(w.velocity_expected, s.extrapolation);
-  tissue::corotate_into(w.corotation, s.branch, m.tissue, s.position, w.velocity_expected);
+  tissue::corotate_into(w.corotation, s.branch, m.tissue, s.position);
   probe(StepPart::rotation);
 }
 

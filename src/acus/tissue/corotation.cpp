@@ -9,7 +9,6 @@
 namespace acus::tissue {
 namespace {
 
-using numeric::Lane4;
 using numeric::node_stride;
 
 using Lane = ExactLane;
@@ -30,17 +29,6 @@ struct Sums {
 
 ACUS_INLINE void store_part(double* to, const Lane& v) { std::memcpy(to, &v, sizeof v); }
 
-ACUS_INLINE void gather_edges(Part& b, const mesh::Tet* corners, const Vec3* x) {
-  Lane origin[4], corner[4];
-  for (int i = 0; i < 4; ++i) {
-    Lane4 node[width] = {};
-    for (int l = 0; l < width; ++l) node[l] = numeric::load3(x[corners[l][i]].data());
-    into_lanes(i == 0 ? origin : corner, node);
-    if (i > 0)
-      for (int c = 0; c < 3; ++c) b.edge[3 * (i - 1) + c] = corner[c] - origin[c];
-  }
-}
-
 // One element by itself, from its rest state, whatever it was before and is now.
 void rotate_safely(Part& b, int l, const double* gradient) {
   Mat3 G, E;
@@ -56,21 +44,21 @@ void rotate_safely(Part& b, int l, const double* gradient) {
 // The rotations of a batch from those before, by as many corrections as its fastest element needs. Returns
 // for how many they failed and were made up for.
 ACUS_INLINE int follow(Part* batch, const double* gradient) {
-  Turn<Lane> turn[parts];
-  for (int step = 0; step < tracked_turn_most; ++step) {
-    bool all = true;
+  Lane change[parts], margin[parts];
+  bool converged = false;
+  for (int step = 0; step < tracked_turn_most && !converged; ++step) {
     for (int p = 0; p < parts; ++p) {
       Lane b[9];
       gradient_of(b, batch[p].edge, batch[p].q);
-      turn[p] = correct_rotation(batch[p].q, b);
-      for (int l = 0; l < width; ++l) all = all && turn[p].change[l] < tracked_turn_converged;
+      margin[p] = correct_rotation(batch[p].q, b, change[p]);
     }
-    if (all) break;
+    converged = numeric::sum(change) < tracked_turn_converged;
   }
+  if (converged && numeric::least(margin) > 0.0) return 0;
   int failures = 0;
   for (int p = 0; p < parts; ++p)
     for (int l = 0; l < width; ++l) {
-      if (turn[p].change[l] < tracked_turn_converged && turn[p].margin[l] > 0.0) continue;
+      if (change[p][l] < tracked_turn_converged && margin[p][l] > 0.0) continue;
       rotate_safely(batch[p], l, gradient + p * width);
       ++failures;
     }
@@ -207,30 +195,18 @@ ACUS_INLINE void respond(Part& b, Sums& sums, int part, Lane volume, Lane mu, La
   for (auto& force : b.force) force[3] = 0.25 * volume * trace;
 }
 
-// K' times the field, with the moduli of a step.
-ACUS_INLINE void react(Part& b, const double* field, const mesh::Tet* offsets, Lane volume, Lane mu,
-                       Lane lambda) {
-  Lane edge[9], g[9], s[6];
-  tissue::gather_edges(edge, field, offsets);
-  gradient_of(g, edge, b.q);
-  const Lane trace = g[0] + g[4] + g[8];
-  stress_of(s, g, trace, mu * volume, lambda * volume);
-  corner_forces(b.force, s, b.q);
-  for (auto& force : b.force) force[3] = 0.25 * volume * trace;
-}
-
 // `branch` is a MaxwellBranch, or nothing.
 template <class... Branch>
-ACUS_INLINE Sums each_element(Corotation& out, const TissueModel& m, const Vec3* x, Branch&... branch) {
+ACUS_INLINE Sums each_element(Corotation& out, const TissueModel& m, Branch&... branch) {
   Sums sums;
-  for (std::size_t first = 0; first < m.corners.size(); first += lanes) {
+  for (std::size_t first = 0; first < m.offsets.size(); first += lanes) {
     Part batch[parts];
     const mesh::Tet* offsets = m.offsets.data() + first;
     const double* gradient = &m.gradient[9 * first];
     double* q = &out.rotated_gradient[9 * first];
     float* single = &out.single_gradient[9 * (first / padding * padding) + first % padding];
     for (int p = 0; p < parts; ++p) {
-      gather_edges(batch[p], m.corners.data() + first + p * width, x);
+      gather_edges(batch[p].edge, out.field.data(), offsets + p * width);
       for (int k = 0; k < 9; ++k) batch[p].q[k] = load_part<Lane>(q + p * width + k * lanes);
     }
     out.newton_failures += follow(batch, gradient);
@@ -250,78 +226,51 @@ ACUS_INLINE Sums each_element(Corotation& out, const TissueModel& m, const Vec3*
       for (int i = 0; i < 4; ++i) force.take(p, i, b.force[i]);
     }
     force.finish();
-    BatchSum<double, Lane> reaction(out.reaction.data(), offsets);
-    for (int p = 0; p < parts; ++p) {
-      const std::size_t at = first + p * width;
-      react(batch[p], out.field.data(), offsets + p * width, load_part<Lane>(&m.volume[at]),
-            load_part<Lane>(&m.step_shear[at]), load_part<Lane>(&m.step_lambda[at]));
-      for (int i = 0; i < 4; ++i) reaction.take(p, i, batch[p].force[i]);
-    }
-    reaction.finish();
   }
   return sums;
 }
 
-ACUS_KERNEL Sums corotate_elements(Corotation& out, const TissueModel& m, const Vec3* x) {
-  return each_element(out, m, x);
+ACUS_KERNEL Sums corotate_elements(Corotation& out, const TissueModel& m) { return each_element(out, m); }
+
+ACUS_KERNEL Sums corotate_and_relax_elements(Corotation& out, MaxwellBranch& branch, const TissueModel& m) {
+  return each_element(out, m, branch);
 }
 
-ACUS_KERNEL Sums corotate_and_relax_elements(Corotation& out, MaxwellBranch& branch, const TissueModel& m,
-                                             const Vec3* x) {
-  return each_element(out, m, x, branch);
-}
-
-// Energy and force of the mean dilations, f_i -= (V / 4) (sum over the corners of kappa theta) R g_i, and
-// what the field's dilations add to the reaction. The two pressures of a node stand side by side in `field`.
+// Energy and force of the mean dilations: f_i -= (V / 4) (sum over the corners of kappa theta) R g_i.
 ACUS_KERNEL void add_nodal_pressure(Corotation& out, const TissueModel& m) {
   for (int a = 0; a < m.nodes; ++a) {
     const std::size_t at = static_cast<std::size_t>(node_stride) * a;
     out.dilation[a] = out.elastic_force[at + 3] / m.node_volume[a];
-    const double pressure = m.node_bulk_modulus[a] * out.dilation[a];
-    out.energy += 0.5 * pressure * out.elastic_force[at + 3];
-    out.field[at] = -pressure;
-    out.field[at + 1] = m.node_bulk_modulus[a] * (out.reaction[at + 3] / m.node_volume[a]);
+    out.field[at + 3] = -m.node_bulk_modulus[a] * out.dilation[a];
+    out.energy -= 0.5 * out.field[at + 3] * out.elastic_force[at + 3];
   }
-  for (std::size_t first = 0; first < m.corners.size(); first += lanes) {
+  for (std::size_t first = 0; first < m.offsets.size(); first += lanes) {
     const mesh::Tet* offsets = m.offsets.data() + first;
-    BatchSum<double, Lane> force(out.elastic_force.data(), offsets), reaction(out.reaction.data(), offsets);
+    BatchSum<double, Lane> sum(out.elastic_force.data(), offsets);
     for (int p = 0; p < parts; ++p) {
-      Lane sum[4], q[9], given[4][4] = {};
-      sum_corners(sum, out.field.data(), offsets + p * width);
+      Lane corners[4], q[9], force[4][4] = {};
+      sum_corners(corners, out.field.data(), offsets + p * width);
       for (int k = 0; k < 9; ++k)
         q[k] = load_part<Lane>(&out.rotated_gradient[9 * first + p * width + k * lanes]);
-      const Lane quarter = 0.25 * load_part<Lane>(&m.volume[first + p * width]);
-      corner_forces_of_pressure(given, quarter * sum[0], q);
-      for (int i = 0; i < 4; ++i) force.take(p, i, given[i]);
-      corner_forces_of_pressure(given, quarter * sum[1], q);
-      for (int i = 0; i < 4; ++i) reaction.take(p, i, given[i]);
+      corner_forces_of_pressure(force, 0.25 * load_part<Lane>(&m.volume[first + p * width]) * corners[3], q);
+      for (int i = 0; i < 4; ++i) sum.take(p, i, force[i]);
     }
-    force.finish();
-    reaction.finish();
+    sum.finish();
   }
 }
 
-void clear(Corotation& out, const numeric::NodeVector& field) {
+void begin(Corotation& out, std::span<const Vec3> positions) {
   std::fill(out.elastic_force.begin(), out.elastic_force.end(), 0.0);
-  std::fill(out.reaction.begin(), out.reaction.end(), 0.0);
-  // Held nodes stay zero; where there is no field all do.
-  std::fill(std::copy(field.begin(), field.end(), out.field.begin()), out.field.end(), 0.0);
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    numeric::store4(&out.field[node_stride * i], numeric::load3(positions[i].data()));
   out.newton_failures = 0;
 }
 
-double total(const Lane* sums) {
-  double sum = 0.0;
-  for (int p = 0; p < parts; ++p)
-    for (int l = 0; l < width; ++l) sum += sums[p][l];
-  return sum;
-}
-
 void finish(Corotation& out, const TissueModel& model, const Sums& sums) {
-  out.energy = total(sums.energy);
-  out.relaxed = total(sums.relaxed);
+  out.energy = numeric::sum(sums.energy);
+  out.relaxed = numeric::sum(sums.relaxed);
   if (model.kind == ElementKind::nodal_pressure) add_nodal_pressure(out, model);
-  for (std::size_t i = 3; i < out.elastic_force.size(); i += node_stride)
-    out.elastic_force[i] = out.reaction[i] = 0.0;
+  for (std::size_t i = 3; i < out.elastic_force.size(); i += node_stride) out.elastic_force[i] = 0.0;
   out.finite = std::isfinite(out.energy);
 }
 
@@ -332,22 +281,21 @@ Corotation build_corotation(const TissueModel& model) {
   c.rotated_gradient = model.gradient;
   c.single_gradient.assign(model.gradient.size(), 0.0F);
   c.elastic_force.assign(static_cast<std::size_t>(model.nodes) * node_stride, 0.0);
-  c.reaction = c.field = c.elastic_force;
+  c.field = c.elastic_force;
   if (model.kind == ElementKind::nodal_pressure) c.dilation.assign(model.nodes, 0.0);
   return c;
 }
 
-void corotate_into(Corotation& out, const TissueModel& model, std::span<const Vec3> positions,
-                   const numeric::NodeVector& field) {
-  clear(out, field);
-  finish(out, model, corotate_elements(out, model, positions.data()));
+void corotate_into(Corotation& out, const TissueModel& model, std::span<const Vec3> positions) {
+  begin(out, positions);
+  finish(out, model, corotate_elements(out, model));
 }
 
 void corotate_into(Corotation& out, MaxwellBranch& branch, const TissueModel& model,
-                   std::span<const Vec3> positions, const numeric::NodeVector& field) {
-  if (!model.relaxation.relaxes()) return corotate_into(out, model, positions, field);
-  clear(out, field);
-  finish(out, model, corotate_and_relax_elements(out, branch, model, positions.data()));
+                   std::span<const Vec3> positions) {
+  if (!model.relaxation.relaxes()) return corotate_into(out, model, positions);
+  begin(out, positions);
+  finish(out, model, corotate_and_relax_elements(out, branch, model));
 }
 
 }  // namespace acus::tissue

@@ -22,26 +22,22 @@ struct Corotation {
   std::vector<float> single_gradient;  // [groups of 16][9][16], the same for the inner iterations of a solve
   std::vector<double> dilation;        // [nodes] theta_a; stays empty for linear
   numeric::NodeVector elastic_force;   // [nodes] N, of the tissue on its nodes
-  numeric::NodeVector reaction;  // [nodes] K' of a step times the field that was given, zero without one
-  double energy = 0.0;           // J, with that of the branches' springs
-  double relaxed = 0.0;          // J, spent by the branches' dashpots in the step that ends here
-  bool finite = true;            // false as soon as a position is not a number
-  int newton_failures = 0;       // elements that needed the slow, safe rotation
+  double energy = 0.0;                 // J, with that of the branches' springs
+  double relaxed = 0.0;                // J, spent by the branches' dashpots in the step that ends here
+  bool finite = true;                  // false as soon as a position is not a number
+  int newton_failures = 0;             // elements that needed the slow, safe rotation
 
-  numeric::NodeVector field;  // [nodes] working memory
+  numeric::NodeVector field;  // [nodes] working memory: positions, with the nodal pressures beside them
 };
 
 Corotation build_corotation(const TissueModel& model);
 
-// Evaluates all of it, but for the branches, at `positions` (one per node, m). Rotations go on from those
-// before, of whatever configuration. Inverted, flat and collapsed elements are allowed. With the elements at
-// hand, K' of the same configuration is applied to a `field` of the free nodes, which is cheaper than by
-// itself (system_matrix.h).
-void corotate_into(Corotation& out, const TissueModel& model, std::span<const Vec3> positions,
-                   const numeric::NodeVector& field = {});
+// Evaluates all of it, but for the branches, at `positions` (one per node, m).  Rotations go on from those
+// before, of whatever configuration. Inverted, flat and collapsed elements are allowed.
+void corotate_into(Corotation& out, const TissueModel& model, std::span<const Vec3> positions);
 // The same at the end of a step, over which `branch` is taken. To `elastic_force` it adds what would be left
 // of its force at the end of the next one if nothing moved; the system matrix has the rest.
 void corotate_into(Corotation& out, MaxwellBranch& branch, const TissueModel& model,
-                   std::span<const Vec3> positions, const numeric::NodeVector& field = {});
+                   std::span<const Vec3> positions);
 
 }  // namespace acus::tissue

@@ -21,16 +21,6 @@ void move(std::vector<Vec3>& positions, const numeric::NodeVector& velocity, dou
   for (int i = 0; i < free_nodes; ++i) positions[i] += h * numeric::at(velocity, i);
 }
 
-void imbalance_into(numeric::NodeVector& out, const TissueModel& model, const StepFactors& factors,
-                    const numeric::NodeVector& momentum, const numeric::NodeVector& velocity,
-                    const numeric::NodeVector& reaction) {
-  for (int i = 0; i < model.free_nodes; ++i) {
-    const std::size_t at = static_cast<std::size_t>(i) * node_stride;
-    store4(&out[at], load4(&momentum[at]) - factors.mass * model.node_mass[i] * load4(&velocity[at]) -
-                         factors.stiffness * load4(&reaction[at]));
-  }
-}
-
 double mass_product(const TissueModel& model, const numeric::NodeVector& v) {
   double total = 0.0;
   for (int i = 0; i < model.free_nodes; ++i) total += model.node_mass[i] * numeric::at(v, i).squaredNorm();

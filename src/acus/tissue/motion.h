@@ -32,11 +32,6 @@ void momentum_into(numeric::NodeVector& b, const TissueModel& model, const numer
 // x += h v for the free nodes.
 void move(std::vector<Vec3>& positions, const numeric::NodeVector& velocity, double h);
 
-// momentum - A v over the free nodes, with K' v given as `reaction`.
-void imbalance_into(numeric::NodeVector& out, const TissueModel& model, const StepFactors& factors,
-                    const numeric::NodeVector& momentum, const numeric::NodeVector& velocity,
-                    const numeric::NodeVector& reaction);
-
 // v . M v over the free nodes, kg m^2/s^2 (twice the kinetic energy).
 double mass_product(const TissueModel& model, const numeric::NodeVector& v);
 

@@ -2,28 +2,24 @@
 //
 // With q_i = R g_i from before, B = sum_i e_i q_i^T is F R^T, which is symmetric when R is the rotation of F.
 // What is left of it, B_32 - B_23 and so on, is (tr(S) I - S) w for a small turn w, S the symmetric part: a
-// step of Newton's method for the polar factor on the rotations themselves, quadratic like Higham's but from
-// a start that is already near, and nothing of the rest state is needed. The turn is Cayley's, exactly
-// orthogonal, so that the q_i keep their lengths and angles to rounding.
+// step of Newton's method for the polar factor on the rotations themselves, from a start that is already near
+// and without the rest state. Terms of second order cancel: what a correction by w leaves is of the order of
+// w^3. The turn is Cayley's, exactly orthogonal, so that the q_i keep their lengths and angles to rounding.
 #pragma once
 
 #include "acus/tissue/element.h"
 
 namespace acus::tissue {
 
-// A turn below this (square of radians) leaves an error of its square: 1e-12.
-inline constexpr double tracked_turn_converged = 1e-12;
+// A correction below this, a square of radians, leaves 1e-12.
+inline constexpr double tracked_turn_converged = 1e-8;
 inline constexpr int tracked_turn_most = 4;
 
-// What a correction found.
+// Turns the q_i, which with the edges gave B. `change` becomes the square of the angle. Returns a number
+// above 0 where tr(S) I - S is positive definite by a margin, so that this is the nearest rotation and no
+// other.
 template <class Lane>
-struct Turn {
-  Lane change;  // square of its angle
-  Lane margin;  // above 0 where tr(S) I - S is positive definite by a margin: this is the nearest rotation
-};
-
-template <class Lane>
-ACUS_INLINE Turn<Lane> correct_rotation(Lane* q, const Lane* b) {
+ACUS_INLINE Lane correct_rotation(Lane* q, const Lane* b, Lane& change) {
   const Lane xx = b[0], yy = b[4], zz = b[8];
   const Lane xy = 0.5 * (b[1] + b[3]), xz = 0.5 * (b[2] + b[6]), yz = 0.5 * (b[5] + b[7]);
   // K = tr(S) I - S and its minors
@@ -51,7 +47,8 @@ ACUS_INLINE Turn<Lane> correct_rotation(Lane* q, const Lane* b) {
   const Lane by_determinant = determinant - flattest * trace * trace * trace;
   const Lane least = k0 < m22 ? k0 : m22;
   const Lane positive = least < trace ? least : trace;
-  return {4.0 * square, by_determinant < positive ? by_determinant : positive};
+  change = 4.0 * square;
+  return by_determinant < positive ? by_determinant : positive;
 }
 
 }  // namespace acus::tissue

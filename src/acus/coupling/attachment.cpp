@@ -36,9 +36,13 @@ int rings_for(double radius, double shortest_edge) {
 void embed_disc_into(Attachment& out, const mesh::Locator& locator, const Vec3& centre, const Vec3& axis,
                      double radius, int free_nodes, int rings) {
   out.clear();
+  out.last.resize(points_of(rings), -1);
+  auto last = out.last.begin();
   int inside = 0;
   visit_disc(centre, axis, radius, rings, [&](const Vec3& point) {
-    const auto at = locator.locate(point, radius);  // a curved surface may pass below or above the disc
+    int& tet = *last++;
+    const auto at = locator.locate(point, radius, tet);  // a curved surface may pass below or above the disc
+    tet = at ? at->tet : -1;
     if (!at) return;
     ++inside;
     for (std::size_t c = 0; c < 4; ++c) add_weight(out, at->nodes[c], at->weights[c], free_nodes);

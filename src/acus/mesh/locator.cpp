@@ -25,6 +25,10 @@ Weights barycentric(const Vec3& p, const Corners& x) {
   return {parts[0] / whole, parts[1] / whole, parts[2] / whole, parts[3] / whole};
 }
 
+bool lies_inside(const Weights& weights) {
+  return std::all_of(weights.begin(), weights.end(), [](double w) { return w > 0.0; });
+}
+
 Vec3 combine(const Weights& w, const Corners& x) {
   return w[0] * x[0] + w[1] * x[1] + w[2] * x[2] + w[3] * x[3];
 }
@@ -141,6 +145,16 @@ void Locator::search(const Vec3& point, double reach_squared, Visit visit) const
   }
 }
 
+std::optional<Embedding> Locator::locate(const Vec3& point, double snap, int first) const {
+  if (first >= 0) {
+    const Tet& t = tets_[at(first)];
+    const Weights weights =
+        barycentric(point, {nodes_[at(t[0])], nodes_[at(t[1])], nodes_[at(t[2])], nodes_[at(t[3])]});
+    if (lies_inside(weights)) return Embedding{first, t, weights};
+  }
+  return locate(point, snap);
+}
+
 std::optional<Embedding> Locator::locate(const Vec3& point, double snap) const {
   if (!point.allFinite()) return std::nullopt;
   std::optional<Embedding> found;
@@ -148,7 +162,7 @@ std::optional<Embedding> Locator::locate(const Vec3& point, double snap) const {
     const Tet& t = tets_[at(tet)];
     const Corners corners = {nodes_[at(t[0])], nodes_[at(t[1])], nodes_[at(t[2])], nodes_[at(t[3])]};
     Weights weights = barycentric(point, corners);
-    const bool inside = std::all_of(weights.begin(), weights.end(), [](double w) { return w > 0.0; });
+    const bool inside = lies_inside(weights);
     if (!inside && reach_squared == 0.0) return reach_squared;
     if (!inside) weights = nearest_in_tet(point, corners);
     const double d = inside ? 0.0 : (combine(weights, corners) - point).squaredNorm();

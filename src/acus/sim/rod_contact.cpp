@@ -373,9 +373,14 @@ bool cut_along_tip(const Model& m, State& s, const coupling::SliderStep& tip) {
   // Where the spring's end must be: what an earlier step left behind is made up for.
   const double wanted = axis.dot(to_point) - s.tip_elongation;
   const double first_try = slip * std::clamp(way.norm(), 0.2, 5.0);
+  // The disc that spreads the tip load turns into the new direction over its own radius. What tissue is
+  // deformed by differs from element to element; if the disc took each element's direction at once, its rim
+  // would leap, and the tissue with it.
+  const double turned = std::min(first_try / m.scene.contact.contact_radius, 1.0);
+  n.disc_axis = (n.disc_axis + turned * (direction - n.disc_axis)).normalized();
   const Vec3 begin = n.channel_end;
   n.channel_end = begin + first_try * direction;
-  attach_disc_into(s.tip, m, n.channel_end, direction);
+  attach_disc_into(s.tip, m, n.channel_end, n.disc_axis);
   // What the disc's mean makes of it: stretch of the tissue under the tip. Bounded, as is the advance, so
   // that a crumpled element cannot throw the cut far ahead in one step; the next step makes up for what is
   // missing.
@@ -383,7 +388,7 @@ bool cut_along_tip(const Model& m, State& s, const coupling::SliderStep& tip) {
   const double stretch = std::clamp(reached / first_try, 0.2, 5.0);
   const double advance = std::clamp(first_try + (wanted - reached) / stretch, 0.0, 5.0 * slip);
   n.channel_end = begin + advance * direction;
-  attach_disc_into(s.tip, m, n.channel_end, direction);
+  attach_disc_into(s.tip, m, n.channel_end, n.disc_axis);
   s.channel_depth += advance;
   // The shaft will come to lie in it with this energy, out of what the tip has spent.
   const double spread = std::min(spreading_force(m, s) * advance, tip.dissipated);

@@ -193,7 +193,7 @@ std::uint64_t Simulation::state_hash() const {
   const RodNeedle& n = s.needle;
   for (const auto* vectors : {&n.rod.position, &n.rod.director})
     for (const Vec3& x : *vectors) hash = hash_of({x.data(), 3}, hash);
-  for (const Vec3& x : {n.hub.position, n.hub.tangent, n.hub.director, n.channel_end})
+  for (const Vec3& x : {n.hub.position, n.hub.tangent, n.hub.director, n.channel_end, n.disc_axis})
     hash = hash_of({x.data(), 3}, hash);
   for (const GuideHold& hold : s.guide) hash = hash_of({&hold.elongation, 1}, hash);
   return hash_of(s.needle.rod.rate, hash);

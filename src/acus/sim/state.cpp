@@ -56,6 +56,7 @@ State initial_state(const Model& m) {
   s.needle.hub = hub_pose(m, s.hub_travel);
   if (m.bends_freely()) s.needle.rod = needle::unloaded_rod(m.rod, s.needle.hub);
   s.needle.channel_end = m.path.entry;
+  s.needle.disc_axis = m.path.direction;
   s.guide.resize(m.guide.points());
   if (m.rigid()) return s;
   s.position = m.mesh.nodes;

@@ -21,6 +21,7 @@ struct RodNeedle {
   bool tip_rests = false;            // on the surface, pressed
   bool cut_begun = false;
   Vec3 channel_end{0.0, 0.0, 0.0};  // m, at rest
+  Vec3 disc_axis{0.0, 0.0, 0.0};    // unit, at rest, across the disc that spreads the tip load
   Vec3 tip_offset{0.0, 0.0, 0.0};   // m, of the tip from there, across its axis, where it came to rest
 };
 

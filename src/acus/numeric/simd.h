@@ -34,6 +34,13 @@ inline constexpr int lane_count = sizeof(ElementLane<Real>) / sizeof(Real);
 
 #define ACUS_INLINE inline __attribute__((always_inline))
 
+// Before a short loop over vectors: without it they travel through memory from one round to the next.
+#ifdef __clang__
+#define ACUS_UNROLL _Pragma("clang loop unroll(full)")
+#else
+#define ACUS_UNROLL _Pragma("GCC unroll 16")
+#endif
+
 // Compiles a kernel for several instruction sets and picks one when the program starts. Fused multiply-add is
 // never used (-ffp-contract=off), so all give the same bits. Sanitizers do not go together with the
 // resolvers, and clang 14 will not pass vectors to an inlined function from a clone.

@@ -201,7 +201,7 @@ ACUS_INLINE Sums each_element(Corotation& out, const TissueModel& m, Branch&... 
   Sums sums;
   for (std::size_t first = 0; first < m.offsets.size(); first += lanes) {
     Part batch[parts];
-    const mesh::Tet* offsets = m.offsets.data() + first;
+    const Offsets* offsets = m.offsets.data() + first;
     const double* gradient = &m.gradient[9 * first];
     double* q = &out.rotated_gradient[9 * first];
     float* single = &out.single_gradient[9 * (first / padding * padding) + first % padding];
@@ -223,6 +223,7 @@ ACUS_INLINE Sums each_element(Corotation& out, const TissueModel& m, Branch&... 
               load_part<Lane>(&m.local_lambda[at]),
               BranchPart{m.relaxation, &branch.spring[of_branch], &branch.strain[of_branch],
                          gradient + p * width}...);
+      ACUS_UNROLL
       for (int i = 0; i < 4; ++i) force.take(p, i, b.force[i]);
     }
     force.finish();
@@ -245,7 +246,7 @@ ACUS_KERNEL void add_nodal_pressure(Corotation& out, const TissueModel& m) {
     out.energy -= 0.5 * out.field[at + 3] * out.elastic_force[at + 3];
   }
   for (std::size_t first = 0; first < m.offsets.size(); first += lanes) {
-    const mesh::Tet* offsets = m.offsets.data() + first;
+    const Offsets* offsets = m.offsets.data() + first;
     BatchSum<double, Lane> sum(out.elastic_force.data(), offsets);
     for (int p = 0; p < parts; ++p) {
       Lane corners[4], q[9], force[4][4] = {};
@@ -253,6 +254,7 @@ ACUS_KERNEL void add_nodal_pressure(Corotation& out, const TissueModel& m) {
       for (int k = 0; k < 9; ++k)
         q[k] = load_part<Lane>(&out.rotated_gradient[9 * first + p * width + k * lanes]);
       corner_forces_of_pressure(force, 0.25 * load_part<Lane>(&m.volume[first + p * width]) * corners[3], q);
+      ACUS_UNROLL
       for (int i = 0; i < 4; ++i) sum.take(p, i, force[i]);
     }
     sum.finish();

@@ -52,9 +52,10 @@ ACUS_INLINE void corner_forces_of_pressure(Lane (*force)[4], Lane pressure_v, co
 
 // The edges of a field of padded node vectors on the elements.
 template <class Real, class Lane>
-ACUS_INLINE void gather_edges(Lane* edge, const Real* field, const mesh::Tet* offsets) {
+ACUS_INLINE void gather_edges(Lane* edge, const Real* field, const Offsets* offsets) {
   Lane origin[4], corner[4];
   gather_corner(origin, field, offsets, 0);
+  ACUS_UNROLL
   for (int i = 0; i < 3; ++i) {
     gather_corner(corner, field, offsets, i + 1);
     for (int c = 0; c < 3; ++c) edge[3 * i + c] = corner[c] - origin[c];

@@ -1,9 +1,9 @@
 // Elements side by side: how a node's numbers of each go into lanes, and come back.
 #pragma once
 
-#include "acus/mesh/tet_mesh.h"
 #include "acus/numeric/node_vector.h"
 #include "acus/numeric/simd.h"
+#include "acus/tissue/tissue_model.h"
 
 namespace acus::tissue {
 
@@ -138,15 +138,17 @@ ACUS_INLINE Lane load_part(const Real* p) {
 // Corner `i` of the elements, from and to a field of padded node vectors: four numbers each. `offsets` are
 // those of TissueModel.
 template <class Real, class Lane>
-ACUS_INLINE void gather_corner(Lane* out, const Real* field, const mesh::Tet* offsets, int i) {
+ACUS_INLINE void gather_corner(Lane* out, const Real* field, const Offsets* offsets, int i) {
   NodeLane<Real> node[lanes_in<Real, Lane>];
+  ACUS_UNROLL
   for (int l = 0; l < lanes_in<Real, Lane>; ++l) node[l] = numeric::load4(field + offsets[l][i]);
   into_lanes(out, node);
 }
 template <class Real>
-ACUS_INLINE void add_corner(Real* field, const mesh::Tet* offsets, int i, const ElementLane<Real>* in) {
+ACUS_INLINE void add_corner(Real* field, const Offsets* offsets, int i, const ElementLane<Real>* in) {
   NodeLane<Real> node[lane_count<Real>];
   out_of_lanes(node, in);
+  ACUS_UNROLL
   for (int l = 0; l < lane_count<Real>; ++l) {
     Real* at = field + offsets[l][i];
     numeric::store4(at, numeric::load4(at) + node[l]);
@@ -157,7 +159,7 @@ ACUS_INLINE void add_corner(Real* field, const mesh::Tet* offsets, int i, const 
 template <class Real, class Lane>
 class BatchSum {
  public:
-  ACUS_INLINE BatchSum(Real* field, const mesh::Tet* offsets) : field_(field), offsets_(offsets) {}
+  ACUS_INLINE BatchSum(Real* field, const Offsets* offsets) : field_(field), offsets_(offsets) {}
   ACUS_INLINE void take(int part, int i, const Lane* in) {
     if constexpr (whole)
       add_corner(field_, offsets_, i, in);
@@ -176,15 +178,16 @@ class BatchSum {
  private:
   static constexpr bool whole = lanes_in<Real, Lane> == lane_count<Real>;
   Real* field_;
-  const mesh::Tet* offsets_;
+  const Offsets* offsets_;
   NodeLane<Real> node_[4][whole ? 1 : lane_count<Real>];
 };
 // The sum over the four corners.
 template <class Real, class Lane>
-ACUS_INLINE void sum_corners(Lane* out, const Real* field, const mesh::Tet* offsets) {
+ACUS_INLINE void sum_corners(Lane* out, const Real* field, const Offsets* offsets) {
   NodeLane<Real> node[lanes_in<Real, Lane>];
+  ACUS_UNROLL
   for (int l = 0; l < lanes_in<Real, Lane>; ++l) {
-    const mesh::Tet& t = offsets[l];
+    const Offsets& t = offsets[l];
     node[l] = (numeric::load4(field + t[0]) + numeric::load4(field + t[1])) +
               (numeric::load4(field + t[2]) + numeric::load4(field + t[3]));
   }

@@ -72,7 +72,7 @@ ACUS_INLINE void add_elements(const TissueModel& m, Elements s, Real* reaction, 
   using Lane = typename Elements::Lane;
   constexpr int parts = lane_count<Real> / lanes_in<Real, Lane>;
   for (std::size_t first = 0; first < m.offsets.size(); first += lane_count<Real>) {
-    const mesh::Tet* offsets = m.offsets.data() + first;
+    const Offsets* offsets = m.offsets.data() + first;
     BatchSum<Real, Lane> sum(reaction, offsets);
     for (int part = 0; part < parts; ++part) {
       s.go_to(first, part);
@@ -91,7 +91,7 @@ ACUS_INLINE void add_local(const TissueModel& m, const Elements& elements, const
   using Lane = typename Elements::Lane;
   add_elements(
       m, elements, reaction,
-      [&](const Elements& s, const mesh::Tet* offsets, const auto& put) __attribute__((always_inline)) {
+      [&](const Elements& s, const Offsets* offsets, const auto& put) __attribute__((always_inline)) {
         Lane edge[9], q[9], g[9], stress[6], force[4][4];
         gather_edges(edge, field, offsets);
         for (int k = 0; k < 9; ++k) q[k] = s.q(k);
@@ -99,6 +99,7 @@ ACUS_INLINE void add_local(const TissueModel& m, const Elements& elements, const
         const Lane trace = g[0] + g[4] + g[8];
         stress_of(stress, g, trace, s.mu_v(), s.lambda_v());
         corner_forces(force, stress, q);
+        ACUS_UNROLL
         for (int i = 0; i < 4; ++i) {
           force[i][3] = with_dilation ? s.quarter_v() * trace : Lane{};
           put(i, force[i]);
@@ -114,11 +115,12 @@ ACUS_INLINE void add_pressure(const TissueModel& m, const Elements& elements, co
   using Lane = typename Elements::Lane;
   add_elements(
       m, elements, reaction,
-      [&](const Elements& s, const mesh::Tet* offsets, const auto& put) __attribute__((always_inline)) {
+      [&](const Elements& s, const Offsets* offsets, const auto& put) __attribute__((always_inline)) {
         Lane sum[4], q[9], force[4][4];
         sum_corners(sum, field, offsets);
         for (int k = 0; k < 9; ++k) q[k] = s.q(k);
         corner_forces_of_pressure(force, s.quarter_v() * sum[3], q);
+        ACUS_UNROLL
         for (int i = 0; i < 4; ++i) {
           force[i][3] = Lane{};
           put(i, force[i]);

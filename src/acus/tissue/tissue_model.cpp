@@ -109,9 +109,10 @@ Result<TissueModel> build_tissue_model(const mesh::TetMesh& mesh, std::span<cons
     place_element(m, e, shape, materials.back(), 0.0);
   }
 
-  m.offsets = m.corners;
-  for (mesh::Tet& t : m.offsets)
-    for (int& corner : t) corner *= numeric::node_stride;
+  for (const mesh::Tet& t : m.corners) {
+    Offsets& of = m.offsets.emplace_back();
+    for (std::size_t i = 0; i < 4; ++i) of[i] = static_cast<std::uint32_t>(numeric::node_stride * t[i]);
+  }
 
   if (kind == ElementKind::nodal_pressure) {
     m.node_bulk_modulus.resize(mesh.nodes.size());

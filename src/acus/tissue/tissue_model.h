@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,8 @@ inline constexpr std::size_t lane_place(int tet, int k, int numbers) {
   return (static_cast<std::size_t>(tet / lanes) * numbers + k) * lanes + tet % lanes;
 }
 
+using Offsets = std::array<std::uint32_t, 4>;  // unsigned: an address is then one addition
+
 struct TissueModel {
   ElementKind kind = ElementKind::nodal_pressure;
   int nodes = 0;
@@ -31,7 +34,7 @@ struct TissueModel {
   RelaxationStep relaxation;
 
   std::vector<mesh::Tet> corners;    // [groups][lanes]
-  std::vector<mesh::Tet> offsets;    // [groups][lanes] where the corners stand in a node vector
+  std::vector<Offsets> offsets;      // [groups][lanes] where the corners stand in a node vector
   std::vector<double> gradient;      // [groups][9][lanes] 1/m: g_1, g_2, g_3 of Shape; g_0 = -(sum)
   std::vector<double> volume;        // [groups][lanes] m^3; 0 in the padding
   std::vector<double> shear;         // [groups][lanes] Pa, mu

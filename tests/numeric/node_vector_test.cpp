@@ -76,11 +76,15 @@ TEST(NodeVector, goes_from_double_to_float_and_back_in_a_sum) {
   EXPECT_EQ(y[2], 3.0 + 1e-9 * 1.5);  // floats alone would lose it
 }
 
-TEST(NodeVector, is_multiplied_by_a_diagonal_node_by_node) {
+TEST(NodeVector, is_multiplied_by_a_block_of_each_node) {
   const NodeVectorOf<float> x = {1.0F, 2.0F, 3.0F, 0.0F, 4.0F, 5.0F, 6.0F, 0.0F};
+  const NodeVectorOf<float> block = {2.0F, 1.0F, 0.0F, 0.0F, 0.0F, 2.0F,
+                                     0.0F, 0.0F, 0.0F, 4.0F, 2.0F, 0.0F,  // columns (2 1 0), (0 2 0), (0 4 2)
+                                     3.0F, 0.0F, 0.0F, 0.0F, 0.0F, 3.0F,
+                                     0.0F, 0.0F, 0.0F, 0.0F, 3.0F, 0.0F};
   NodeVectorOf<float> y(8);
-  multiply_diagonal_into(y, std::vector<float>{2.0F, 3.0F}, x);
-  EXPECT_EQ(y, (NodeVectorOf<float>{2.0F, 4.0F, 6.0F, 0.0F, 12.0F, 15.0F, 18.0F, 0.0F}));
+  multiply_blocks_into(y, block, x);
+  EXPECT_EQ(y, (NodeVectorOf<float>{2.0F, 17.0F, 6.0F, 0.0F, 12.0F, 15.0F, 18.0F, 0.0F}));
 }
 
 }  // namespace

@@ -122,8 +122,10 @@ class BareTissue {
           multiply_into(y, model, corotation, matrix, p);
         },
         [&](numeric::NodeVector& z, const numeric::NodeVector& r) {
-          for (std::size_t i = 0; i < r.size(); ++i)
-            z[i] = static_cast<double>(matrix.inverse_diagonal[i / numeric::node_stride]) * r[i];
+          const numeric::NodeVectorOf<float> single(r.begin(), r.end());
+          numeric::NodeVectorOf<float> product(single.size());
+          numeric::multiply_blocks_into(product, matrix.inverse_block, single);
+          std::copy(product.begin(), product.end(), z.begin());
         });
     iterations = outcome.iterations;
     EXPECT_LE(outcome.residual_norm, relative_residual * norm);

@@ -105,12 +105,16 @@ ACUS_KERNEL void scale_into(std::span<double> y, double factor, std::span<const 
   for (std::size_t i = 0; i < y.size(); ++i) py[i] = factor * static_cast<double>(px[i]);
 }
 
-ACUS_KERNEL void multiply_diagonal_into(std::span<float> y, std::span<const float> diagonal,
-                                        std::span<const float> x) {
+ACUS_KERNEL void multiply_blocks_into(std::span<float> y, std::span<const float> block,
+                                      std::span<const float> x) {
   float* py = y.data();
   const float* px = x.data();
-  for (std::size_t i = 0; i < diagonal.size(); ++i)
-    store4(py + node_stride * i, diagonal[i] * load4(px + node_stride * i));
+  const float* pb = block.data();
+  for (std::size_t i = 0; i < x.size(); i += node_stride) {
+    const float* b = pb + 3 * i;
+    store4(py + i,
+           px[i] * load4(b) + px[i + 1] * load4(b + node_stride) + px[i + 2] * load4(b + 2 * node_stride));
+  }
 }
 
 ACUS_KERNEL double advance_into(std::span<double> x, std::span<double> residual, double step,

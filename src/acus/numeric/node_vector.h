@@ -36,8 +36,8 @@ void scale_and_add_into(std::span<float> y, double factor, std::span<const float
 // y = factor x
 void scale_into(std::span<float> y, double factor, std::span<const double> x);
 void scale_into(std::span<double> y, double factor, std::span<const float> x);
-// y = D x for a diagonal of one number per node.
-void multiply_diagonal_into(std::span<float> y, std::span<const float> diagonal, std::span<const float> x);
+// y = D x for a 3x3 block per node, column by column, padded as nodes are.
+void multiply_blocks_into(std::span<float> y, std::span<const float> block, std::span<const float> x);
 // x += step direction, residual -= step product; returns the square of the residual's norm.
 double advance_into(std::span<double> x, std::span<double> residual, double step,
                     std::span<const double> direction, std::span<const double> product);

@@ -40,12 +40,14 @@ Vec3 gradient_at(const TissueModel& m, int tet, int corner) {
 // Of V (lambda q q^T + mu q q^T + mu |q|^2 I) over the elements of a node, and of kappa_a V_a b_a b_a^T over
 // its neighbours a: K's diagonal blocks (system_matrix.h).
 void find_node_stiffness(TissueModel& m) {
-  m.node_stiffness.assign(m.nodes, 0.0);
+  m.node_stiffness.assign(m.nodes, Mat3::Zero());
   std::vector<std::vector<int>> around(m.nodes);  // the elements that meet at a node
   for (int e = 0; e < m.tets; ++e)
     for (int i = 0; i < 4; ++i) {
-      const double trace = m.volume[e] * (m.step_lambda[e] + 4.0 * m.step_shear[e]);
-      m.node_stiffness[m.corners[e][i]] += trace / 3.0 * gradient_at(m, e, i).squaredNorm();
+      const Vec3 g = gradient_at(m, e, i);
+      const double mu = m.step_shear[e], both = m.step_lambda[e] + mu;
+      m.node_stiffness[m.corners[e][i]] +=
+          m.volume[e] * (both * g * g.transpose() + mu * g.squaredNorm() * Mat3::Identity());
       around[m.corners[e][i]].push_back(e);
     }
   if (m.kind == ElementKind::linear) return;
@@ -55,7 +57,7 @@ void find_node_stiffness(TissueModel& m) {
       for (int j = 0; j < 4; ++j) mean[m.corners[e][j]] += 0.25 * m.volume[e] * gradient_at(m, e, j);
     for (int e : around[a])
       for (int j : m.corners[e]) {
-        m.node_stiffness[j] += m.node_bulk_modulus[a] / m.node_volume[a] / 3.0 * mean[j].squaredNorm();
+        m.node_stiffness[j] += m.node_bulk_modulus[a] / m.node_volume[a] * mean[j] * mean[j].transpose();
         mean[j].setZero();  // each neighbour counts once
       }
   }

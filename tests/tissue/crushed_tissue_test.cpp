@@ -21,12 +21,15 @@ double farthest_from_rest(const BareTissue& tissue) {
   return farthest;
 }
 
+// Rotations follow elements that become flat, but not those of which less is left.
+enum class Needs { nothing, safe_rotations };
+
 // Two seconds of damped motion from `position`, all of it finite.
-void recover(BareTissue& tissue, const std::function<Vec3(const Vec3&)>& crush) {
+void recover(BareTissue& tissue, Needs needs, const std::function<Vec3(const Vec3&)>& crush) {
   for (int i = 0; i < tissue.model.free_nodes; ++i) tissue.position[i] = crush(tissue.rest[i]);
   corotate_into(tissue.corotation, tissue.model, tissue.position);
   ASSERT_TRUE(tissue.corotation.finite);
-  ASSERT_GT(tissue.corotation.newton_failures, 0);  // the slow rotation was needed: elements are crushed
+  if (needs == Needs::safe_rotations) ASSERT_GT(tissue.corotation.safe_rotations, 0);
   tissue.relative_residual = 1e-8;
   const Rayleigh damping = {1.0, 2e-2};
   for (int step = 0; step < 200; ++step) {
@@ -34,28 +37,28 @@ void recover(BareTissue& tissue, const std::function<Vec3(const Vec3&)>& crush) 
     ASSERT_TRUE(tissue.corotation.finite);
   }
   EXPECT_LT(farthest_from_rest(tissue), 1e-6 * 0.03);
-  EXPECT_EQ(tissue.corotation.newton_failures, 0);
+  EXPECT_EQ(tissue.corotation.safe_rotations, 0);
 }
 
 TEST_P(CrushedTissue, springs_back_from_a_plane) {
   BareTissue tissue(held_mesh(irregular_block(), at_bottom), soft, GetParam());
-  recover(tissue, [](const Vec3& x) { return Vec3(x.x(), x.y(), 0.0); });
+  recover(tissue, Needs::nothing, [](const Vec3& x) { return Vec3(x.x(), x.y(), 0.0); });
 }
 
 TEST_P(CrushedTissue, springs_back_from_a_line) {
   BareTissue tissue(held_mesh(irregular_block(), at_bottom), soft, GetParam());
-  recover(tissue, [](const Vec3& x) { return Vec3(0.0, 0.0, x.z()); });
+  recover(tissue, Needs::safe_rotations, [](const Vec3& x) { return Vec3(0.0, 0.0, x.z()); });
 }
 
 TEST_P(CrushedTissue, springs_back_from_a_point) {
   BareTissue tissue(held_mesh(irregular_block(), at_bottom), soft, GetParam());
-  recover(tissue, [](const Vec3&) { return Vec3(0.0, 0.0, 0.01); });
+  recover(tissue, Needs::safe_rotations, [](const Vec3&) { return Vec3(0.0, 0.0, 0.01); });
 }
 
 TEST_P(CrushedTissue, springs_back_from_inside_out) {
   BareTissue tissue(held_mesh(irregular_block(), at_bottom), soft, GetParam());
   // The upper half pushed down through the lower one by half a box.
-  recover(tissue, [](const Vec3& x) { return Vec3(x.x(), x.y(), x.z() > 0.025 ? 0.005 : x.z()); });
+  recover(tissue, Needs::safe_rotations, [](const Vec3& x) { return Vec3(x.x(), x.y(), x.z() > 0.025 ? 0.005 : x.z()); });
 }
 
 TEST_P(CrushedTissue, says_when_a_position_is_not_a_number) {

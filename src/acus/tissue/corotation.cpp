@@ -209,7 +209,7 @@ ACUS_INLINE Sums each_element(Corotation& out, const TissueModel& m, Branch&... 
       gather_edges(batch[p].edge, out.field.data(), offsets + p * width);
       for (int k = 0; k < 9; ++k) batch[p].q[k] = load_part<Lane>(q + p * width + k * lanes);
     }
-    out.newton_failures += follow(batch, gradient);
+    out.safe_rotations += follow(batch, gradient);
     BatchSum<double, Lane> force(out.elastic_force.data(), offsets);
     for (int p = 0; p < parts; ++p) {
       Part& b = batch[p];
@@ -265,7 +265,7 @@ void begin(Corotation& out, std::span<const Vec3> positions) {
   std::fill(out.elastic_force.begin(), out.elastic_force.end(), 0.0);
   for (std::size_t i = 0; i < positions.size(); ++i)
     numeric::store4(&out.field[node_stride * i], numeric::load3(positions[i].data()));
-  out.newton_failures = 0;
+  out.safe_rotations = 0;
 }
 
 void finish(Corotation& out, const TissueModel& model, const Sums& sums) {

@@ -29,7 +29,9 @@ void recover(BareTissue& tissue, Needs needs, const std::function<Vec3(const Vec
   for (int i = 0; i < tissue.model.free_nodes; ++i) tissue.position[i] = crush(tissue.rest[i]);
   corotate_into(tissue.corotation, tissue.model, tissue.position);
   ASSERT_TRUE(tissue.corotation.finite);
-  if (needs == Needs::safe_rotations) ASSERT_GT(tissue.corotation.safe_rotations, 0);
+  if (needs == Needs::safe_rotations) {
+    ASSERT_GT(tissue.corotation.safe_rotations, 0);
+  }
   tissue.relative_residual = 1e-8;
   const Rayleigh damping = {1.0, 2e-2};
   for (int step = 0; step < 200; ++step) {

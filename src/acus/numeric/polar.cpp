@@ -1,10 +1,30 @@
 #include "acus/numeric/polar.h"
 
+#include <Eigen/LU>
 #include <Eigen/SVD>
-#include <algorithm>
+#include <optional>
 
 namespace acus::numeric {
 namespace {
+
+// Newton's iteration R <- (R + R^-T)/2 from R = F (Higham 1986), which converges quadratically to the polar
+// factor of a regular F, or to a reflection if it is inverted. Nothing where it cannot be trusted: nearer to
+// singular the sign of the determinant and the inverse drown in rounding.
+std::optional<Mat3> rotation_by_newton(const Mat3& F) {
+  constexpr int most_steps = 10;
+  constexpr double converged = 1e-16;  // a correction of 1e-8 leaves its square
+  constexpr double flattest = 1e-6;    // det / |F|^3: its rounding error is some 1e-10 of it
+  const double size = F.norm();
+  if (!(F.determinant() > flattest * size * size * size)) return std::nullopt;
+  Mat3 R = F;
+  for (int step = 0; step < most_steps; ++step) {
+    const Mat3 next = 0.5 * (R + R.inverse().transpose());
+    const double change = (next - R).squaredNorm();
+    R = next;
+    if (change < converged) return R;
+  }
+  return std::nullopt;
+}
 
 // Slow and safe: R = U diag(1, 1, det(U V^T)) V^T.
 Mat3 rotation_by_svd(const Mat3& F) {
@@ -19,13 +39,7 @@ Mat3 rotation_by_svd(const Mat3& F) {
 }  // namespace
 
 Mat3 rotation_of(const Mat3& F) {
-  Mat3 R = F;
-  for (int step = 0; step < newton_polar_max_steps; ++step) {
-    double determinant = 0.0;
-    const double change = newton_polar_step(R.data(), determinant);
-    if (step == 0 && !newton_polar_holds(determinant, F.squaredNorm())) break;
-    if (change < newton_polar_converged) return R;
-  }
+  if (const auto R = rotation_by_newton(F)) return *R;
   return rotation_by_svd(F);
 }
 

@@ -116,10 +116,16 @@ ACUS_INLINE void skew_stress(Lane* z, const Lane* s, const Lane* t) {
   z[2] = inverse * (minor[4] * twist[0] + minor[5] * twist[1] + minor[2] * twist[2]);
 }
 
-// R of R G = Q.
+// R of R G = Q, from G's cofactors.
 ACUS_INLINE void rotation_between(Lane* r, const Lane* g, const Lane* q) {
   Lane cofactor[9];
-  const Lane inverse = 1.0 / numeric::cofactor_into(cofactor, g);
+  for (int k = 0; k < 3; ++k) {
+    const Lane* a = g + 3 * ((k + 1) % 3);
+    const Lane* b = g + 3 * ((k + 2) % 3);
+    for (int i = 0; i < 3; ++i)
+      cofactor[3 * k + i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+  }
+  const Lane inverse = 1.0 / (g[0] * cofactor[0] + g[1] * cofactor[1] + g[2] * cofactor[2]);
   for (int c = 0; c < 3; ++c)
     for (int i = 0; i < 3; ++i)
       r[3 * c + i] = inverse * (q[i] * cofactor[c] + q[3 + i] * cofactor[3 + c] + q[6 + i] * cofactor[6 + c]);

@@ -60,7 +60,6 @@ Session session_of(unsigned number) {
   t.scene.needle.length = any(0.1, 0.3);
   t.scene.contact.rupture_force = any(0.3, 1.2);
   t.scene.tissue.tetrahedra = 200;
-  t.scene.run.solver_tolerance = 1e-4;
   t.scene.run.time_step = std::min(t.period, 20e-3);  // beyond, needle and tissue go slower than the clock
   t.another = t.scene;
   if (s.happening == Happening::other_needle) t.another->needle.length = any(0.1, 0.3);

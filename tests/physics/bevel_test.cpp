@@ -79,7 +79,6 @@ Scene in_gelatine(double bevel_degrees) {
   scene.contact.fracture_toughness = 1.1;
   scene.contact.friction = 3.3;
   scene.run.time_step = 4e-3;
-  scene.run.solver_tolerance = 1e-4;
   return scene;
 }
 

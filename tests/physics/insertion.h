@@ -95,7 +95,6 @@ inline Scene uncut_in_given_block(double friction) {
   scene.contact.rupture_force = 1e-3;
   scene.contact.fracture_toughness = 0.0;
   scene.contact.friction = friction;
-  scene.run.solver_tolerance = 1e-4;
   return scene;
 }
 

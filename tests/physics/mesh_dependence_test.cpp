@@ -20,7 +20,6 @@ double force_at_rest(int tetrahedra, Coupling coupling, bool near_field = false)
   scene.contact.coupling = coupling;
   scene.contact.near_field = near_field;
   scene.contact.contact_radius = radius;
-  scene.run.solver_tolerance = 1e-4;
   return insert(scene).frames.back().hand_force;
 }
 

@@ -156,7 +156,6 @@ TEST(RodInTissue, goes_in_through_crumpled_tissue) {
   scene.contact.rupture_force = 0.66;
   scene.contact.fracture_toughness = 76.0;
   scene.contact.friction = 20.0;
-  scene.run.solver_tolerance = 1e-4;
   const Insertion run = insert(scene);
   ASSERT_TRUE(run.first(EventKind::puncture));
   EXPECT_FALSE(run.first(EventKind::exit));

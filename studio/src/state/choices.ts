@@ -124,7 +124,6 @@ export const meshes = [
 export const pageSettings: Record<string, number | string> = {
   'tissue.tetrahedra': 3000,
   'hand.speed_mm_s': 4, // a push goes five times as fast at most: the paper's 20 mm/s
-  'run.solver_tolerance': 1e-4, // moves no force by more than 0.01 % (studies)
   'run.time_step_ms': 2, // moves no load of a first buckling or puncture by more than 0.2 % (docs/studio.md)
 };
 

@@ -1,7 +1,6 @@
 #include "insertion_cost.h"
 
 #include <algorithm>
-#include <numeric>
 #include <string>
 
 #include "acus/sim/hand.h"
@@ -37,9 +36,6 @@ Samples follow_hand(Simulation& simulation, const std::function<void(long)>& hea
   }
   return samples;
 }
-
-double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
-double mean(const std::vector<double>& values) { return sum(values) / static_cast<double>(values.size()); }
 
 Spread spread(const std::vector<double>& values) {
   return {median(values), mean(values), quantile(values, 0.99), quantile(values, 0.999),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <numeric>
 
 namespace acus::bench {
 namespace {
@@ -27,5 +28,7 @@ double quantile(std::vector<double> values, double share) {
 }
 
 double median(const std::vector<double>& values) { return quantile(values, 0.5); }
+double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+double mean(const std::vector<double>& values) { return sum(values) / static_cast<double>(values.size()); }
 
 }  // namespace acus::bench

@@ -17,5 +17,7 @@ inline double us_between(std::int64_t from, std::int64_t to) {
 // The smallest of them that a share of at least `share` does not exceed; 0.5: the median. `values` not empty.
 double quantile(std::vector<double> values, double share);
 double median(const std::vector<double>& values);
+double sum(const std::vector<double>& values);
+double mean(const std::vector<double>& values);
 
 }  // namespace acus::bench

@@ -12,7 +12,7 @@
 namespace acus::bench {
 namespace {
 
-// The reference as the yardstick is measured: from rest, some steps that do not count and 40 that do; then
+// The reference is run as such programs are: from rest, some steps that do not count and 40 that do; then
 // again from rest. It is the same run each time, so its residuals, which cost products, are found beforehand.
 constexpr int reference_warm = 5, reference_steps = 40;
 constexpr int turns_a_run = 8;   // of reference and engine, one after the other
@@ -195,6 +195,7 @@ StepCost summed_up(const Model& model, const ReferenceStep& reference, const Sam
   cost.residual = residual_at(samples.residual, 0.5);
   cost.largest_residual = residual_at(samples.residual, 1.0);
   cost.us_per_step = median(samples.whole_us);
+  cost.mean_us_per_step = mean(samples.whole_us);
   for (int part = 0; part < step_parts; ++part) cost.us[part] = median(samples.part_us[part]);
   cost.reference_tetrahedra = reference.tetrahedra();
   cost.reference_nodes = reference.nodes();

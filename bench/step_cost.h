@@ -19,6 +19,7 @@ struct StepCost {
   Residual residual;                    // of the whole coupled step, the medians
   Residual largest_residual;            // the largest seen
   double us_per_step = 0.0;             // the whole step: needle, contact, cutting, ledger
+  double mean_us_per_step = 0.0;        // the same, the mean: steps in which the cut jumps take longer
   std::array<double, step_parts> us{};  // by part
   int reference_tetrahedra = 0;
   int reference_nodes = 0;

@@ -27,6 +27,7 @@ Json as_json(const bench::StepCost& cost) {
   add_residual(json, "", cost.largest_residual);
   add_residual(json, "median_", cost.residual);
   json["us_per_step"] = cost.us_per_step;
+  json["mean_us_per_step"] = cost.mean_us_per_step;
   for (int part = 0; part < step_parts; ++part)
     json["stages"][name_of(static_cast<StepPart>(part))] = cost.us[part];
   json["reference_tetrahedra"] = cost.reference_tetrahedra;
@@ -56,8 +57,8 @@ void print_row(const bench::StepCost& cost) {
              cost.reference_us_per_step, cost.reference_residual);
   std::printf("\n%-10s", "  of which");
   for (int part = 0; part < step_parts; ++part)
-    std::printf(" %s %.0f%s", name_of(static_cast<StepPart>(part)).c_str(), cost.us[part],
-                part + 1 < step_parts ? "," : " us\n");
+    std::printf(" %s %.0f,", name_of(static_cast<StepPart>(part)).c_str(), cost.us[part]);
+  std::printf(" mean of the whole %.0f us\n", cost.mean_us_per_step);
   std::fflush(stdout);
 }
 

@@ -23,7 +23,7 @@ std::array<int, 3> cells_for(const Vec3& size, int tetrahedra) {
 // One tetrahedron in the middle of each box, on every other corner, and one at each corner left over; the
 // next box is its mirror image. Corner c lies at the far end along the axes whose bit is set.
 mesh::TetMesh even_block(const Vec3& size, const std::array<int, 3>& cells) {
-  const auto [nx, ny, nz] = cells;
+  const int nx = cells[0], ny = cells[1], nz = cells[2];
   mesh::TetMesh mesh;
   for (int k = 0; k <= nz; ++k)
     for (int j = 0; j <= ny; ++j)

@@ -2,37 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <vector>
 
 #include "acus/sim/rod_contact.h"
 #include "acus/sim/rod_step.h"
+#include "measuring.h"
 #include "reference_step.h"
 
 namespace acus::bench {
 namespace {
 
-constexpr int turns = 10;           // of reference and engine, one after the other
-constexpr int reference_warm = 40;  // steps, until its residual has settled
-constexpr double depth = 20e-3;     // m, of needle inside the tissue while measuring
-
-double processor_us() {
-  timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return 1e6 * static_cast<double>(t.tv_sec) + 1e-3 * static_cast<double>(t.tv_nsec);
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
+// The reference is run as such programs are: from rest, some steps that do not count and 40 that do; then
+// again from rest. It is the same run each time, so its residuals, which cost products, are found beforehand.
+constexpr int reference_warm = 5, reference_steps = 40;
+constexpr int turns_a_run = 8;   // of reference and engine, one after the other
+constexpr double depth = 20e-3;  // m, of needle inside the tissue while measuring
 
 // A needle short enough not to buckle that goes in quickly and then at the default speed.
-Scene scene_for(int tetrahedra, double tolerance) {
+Scene scene_for(const StepWanted& wanted, double tolerance) {
   Scene scene;
   scene.needle.length = 0.12;
-  scene.tissue.tetrahedra = tetrahedra;
+  scene.tissue.tetrahedra = wanted.tetrahedra;
+  scene.tissue.element = wanted.element;
   scene.contact.rupture_force = 0.2;
   scene.run.solver_tolerance = tolerance;
   return scene;
@@ -40,9 +31,15 @@ Scene scene_for(int tetrahedra, double tolerance) {
 constexpr double approach_speed = 0.1;  // m/s
 constexpr int settling_steps = 50;      // at the default speed, before measuring
 
-struct Residual {
-  double of_momentum = 0.0, of_load = 0.0;
-};
+double norm(const numeric::NodeVector& v) { return std::sqrt(numeric::dot(v, v)); }
+
+// |b - A v|
+double left_by(const numeric::NodeVector& v, const numeric::NodeVector& b, const Model& m, const Scratch& w,
+               numeric::NodeVector& product) {
+  tissue::multiply_into(product, m.tissue, w.corotation, w.matrix, v);
+  numeric::scale_and_add_into(product, -1.0, b);
+  return norm(product);
+}
 
 // Of the step just solved, its contact and friction with the forces they really have.
 Residual true_residual(const Model& m, const State& s, const Scratch& w, numeric::NodeVector& product) {
@@ -54,11 +51,8 @@ Residual true_residual(const Model& m, const State& s, const Scratch& w, numeric
     coupling::add_spread(b, *c.at, h * force);
     load += force.norm();
   }
-  tissue::multiply_into(product, m.tissue, w.corotation, w.matrix, s.velocity);
-  const double norm = std::sqrt(numeric::dot(b, b));
-  numeric::add_scaled_into(b, -1.0, product);
-  const double left = std::sqrt(numeric::dot(b, b));
-  return {left / norm, left / (h * load)};
+  const double left = left_by(s.velocity, b, m, w, product);
+  return {left / norm(b), left / left_by(w.velocity_before, b, m, w, product), left / (h * load)};
 }
 
 // The engine's step with a stop watch on its parts.
@@ -74,8 +68,9 @@ class MeasuredInsertion {
 
   void advance(double speed) {
     part_us_.fill(0.0);
+    solved_ = false;
     travel_ += speed * model_.scene.run.time_step;
-    since_ = processor_us();
+    since_ = processor_clock();
     advance_rod(model_, state_, scratch_, hub_pose(model_, travel_), frame_, events_,
                 {&MeasuredInsertion::heard, this});
     whole_us_ = 0.0;
@@ -92,9 +87,11 @@ class MeasuredInsertion {
  private:
   static void heard(void* self, StepPart part) { static_cast<MeasuredInsertion*>(self)->done(part); }
   void done(StepPart part) {
-    part_us_[static_cast<int>(part)] += processor_us() - since_;
-    if (part == StepPart::solve) residual_ = true_residual(model_, state_, scratch_, product_);
-    since_ = processor_us();
+    part_us_[static_cast<int>(part)] += us_between(since_, processor_clock());
+    // The books are first opened when the solve is over and nothing has moved yet.
+    if (part == StepPart::ledger && !std::exchange(solved_, true))
+      residual_ = true_residual(model_, state_, scratch_, product_);
+    since_ = processor_clock();
   }
 
   Model model_;
@@ -104,23 +101,23 @@ class MeasuredInsertion {
   std::vector<Event> events_;
   numeric::NodeVector product_;
   std::array<double, step_parts> part_us_{};
-  double travel_ = 0.0, since_ = 0.0, whole_us_ = 0.0;
+  double travel_ = 0.0, whole_us_ = 0.0;
+  std::int64_t since_ = 0;
+  bool solved_ = false;  // in the step under way
   Residual residual_;
 };
 
 struct Samples {
-  std::vector<double> reference_us, reference_residual, reference_residual_of_load;
-  std::vector<double> whole_us, iterations, residual, residual_of_load;
+  std::vector<double> reference_us, whole_us, iterations;
+  std::vector<Residual> residual;
   std::array<std::vector<double>, step_parts> part_us;
 };
 
 void measure_reference(ReferenceStep& reference, int steps, Samples& samples) {
   for (int i = 0; i < steps; ++i) {
-    const double from = processor_us();
+    const std::int64_t from = processor_clock();
     reference.advance();
-    samples.reference_us.push_back(processor_us() - from);
-    samples.reference_residual.push_back(reference.residual());
-    samples.reference_residual_of_load.push_back(reference.residual_of_load());
+    samples.reference_us.push_back(us_between(from, processor_clock()));
   }
 }
 
@@ -129,24 +126,80 @@ void measure_insertion(MeasuredInsertion& insertion, int steps, Samples& samples
     insertion.advance(insertion.model().scene.hand.speed);
     samples.whole_us.push_back(insertion.whole_us());
     samples.iterations.push_back(insertion.frame().solver_iterations);
-    samples.residual.push_back(insertion.residual().of_momentum);
-    samples.residual_of_load.push_back(insertion.residual().of_load);
+    samples.residual.push_back(insertion.residual());
     for (int part = 0; part < step_parts; ++part) samples.part_us[part].push_back(insertion.part_us(part));
   }
 }
 
-StepCost summed_up(const Model& model, const Samples& samples) {
+// Quantity by quantity; a share of 1 gives the largest.
+Residual residual_at(const std::vector<Residual>& residuals, double share) {
+  Residual all;
+  std::vector<double> values(residuals.size());
+  for (double Residual::*quantity : {&Residual::of_momentum, &Residual::of_change, &Residual::of_load}) {
+    std::transform(residuals.begin(), residuals.end(), values.begin(),
+                   [&](const Residual& r) { return r.*quantity; });
+    all.*quantity = quantile(values, share);
+  }
+  return all;
+}
+
+// The runs of the reference, and the engine's steps spread evenly between them.
+void measure_in_turns(ReferenceStep& reference, MeasuredInsertion& insertion, int steps, Samples& samples) {
+  const int turns = turns_a_run * ((steps + reference_steps - 1) / reference_steps);
+  int taken = 0;
+  for (int turn = 0; turn < turns; ++turn) {
+    if (turn % turns_a_run == 0) {
+      reference.restart();
+      for (int i = 0; i < reference_warm; ++i) reference.advance();
+    }
+    measure_reference(reference, reference_steps / turns_a_run, samples);
+    const int due = static_cast<int>(static_cast<long>(steps) * (turn + 1) / turns);
+    measure_insertion(insertion, due - taken, samples);
+    taken = due;
+  }
+}
+
+// What the reference leaves, the medians of a run that is not timed.
+Residual residual_of(ReferenceStep& reference) {
+  std::vector<Residual> residuals;
+  for (int i = 0; i < reference_warm; ++i) reference.advance();
+  for (int i = 0; i < reference_steps; ++i) {
+    reference.advance();
+    residuals.push_back(reference.residual());
+  }
+  return residual_at(residuals, 0.5);
+}
+
+// How exactly the engine must solve relative to |b| to leave no more than the reference in the quantity that
+// is wanted. Advances the insertion by some steps to see how the quantities go together.
+double tolerance_for(MeasuredInsertion& insertion, const Residual& reference, EqualBy equal_by) {
+  constexpr double margin = 0.85;           // towards the better residual
+  constexpr double margin_of_others = 0.6;  // they vary more from step to step
+  const double by_momentum = margin * reference.of_momentum;
+  const auto quantity = equal_by == EqualBy::load ? &Residual::of_load : &Residual::of_change;
+  for (int i = 0; i < settling_steps; ++i) insertion.advance(insertion.model().scene.hand.speed);
+  double loosest = 1.0;
+  for (int i = 0; i < settling_steps; ++i) {
+    insertion.advance(insertion.model().scene.hand.speed);
+    const Residual& found = insertion.residual();
+    loosest = std::min(loosest, reference.*quantity * found.of_momentum / (found.*quantity));
+  }
+  return equal_by == EqualBy::momentum ? by_momentum : margin_of_others * loosest;
+}
+
+StepCost summed_up(const Model& model, const ReferenceStep& reference, const Samples& samples) {
   StepCost cost;
   cost.tetrahedra = model.tissue.tets;
   cost.nodes = model.tissue.nodes;
   cost.iterations = median(samples.iterations);
-  cost.residual = *std::max_element(samples.residual.begin(), samples.residual.end());
-  cost.residual_of_load = *std::max_element(samples.residual_of_load.begin(), samples.residual_of_load.end());
+  cost.residual = residual_at(samples.residual, 0.5);
+  cost.largest_residual = residual_at(samples.residual, 1.0);
   cost.us_per_step = median(samples.whole_us);
+  cost.mean_us_per_step = mean(samples.whole_us);
   for (int part = 0; part < step_parts; ++part) cost.us[part] = median(samples.part_us[part]);
+  cost.reference_tetrahedra = reference.tetrahedra();
+  cost.reference_nodes = reference.nodes();
   cost.reference_us_per_step = median(samples.reference_us);
-  cost.reference_residual = median(samples.reference_residual);
-  cost.reference_residual_of_load = median(samples.reference_residual_of_load);
   cost.ratio = cost.us_per_step / cost.reference_us_per_step;
   cost.real_time_factor = 1e6 * model.scene.run.time_step / cost.us_per_step;
   return cost;
@@ -154,44 +207,25 @@ StepCost summed_up(const Model& model, const Samples& samples) {
 
 }  // namespace
 
-Result<StepCost> measure(int tetrahedra, int steps, EqualBy equal_by) {
-  Samples samples;
-  ReferenceStep reference(tetrahedra);
-  measure_reference(reference, reference_warm, samples);
-  constexpr double margin = 0.85;         // towards the better residual
-  constexpr double margin_by_load = 0.6;  // which varies more from step to step
+Result<StepCost> measure(const StepWanted& wanted) {
   constexpr double rounding = 1e-12;  // on the smallest meshes the reference reaches what doubles can hold
-  const double tolerance = std::max(margin * samples.reference_residual.back(), rounding);
-  // Of the last steps, because it rises and falls with the swing of the block.
-  auto& of_load = samples.reference_residual_of_load;
-  const double wanted_of_load = median({of_load.end() - of_load.size() / 2, of_load.end()});
-  samples = {};
-
-  auto model = build_model(scene_for(tetrahedra, tolerance), nullptr);
+  ReferenceStep reference(wanted.tetrahedra);
+  const Residual of_reference = residual_of(reference);
+  auto model = build_model(scene_for(wanted, std::max(of_reference.of_momentum, rounding)), nullptr);
   if (!model) return model.error();
   MeasuredInsertion insertion(std::move(*model));
   while (insertion.frame().inserted_length < depth && insertion.frame().health == Health::good)
     insertion.advance(approach_speed);
-  double loosest = 1.0;  // the tolerance at which a step has the residual that is wanted by load
-  for (int i = 0; i < settling_steps; ++i) {
-    insertion.advance(insertion.model().scene.hand.speed);
-    const Residual& found = insertion.residual();
-    loosest = std::min(loosest, wanted_of_load * found.of_momentum / found.of_load);
-  }
-  if (equal_by == EqualBy::load) {
-    insertion.solve_to(std::max(margin_by_load * loosest, rounding));
-    for (int i = 0; i < settling_steps; ++i) insertion.advance(insertion.model().scene.hand.speed);
-  }
-
-  const int steps_a_turn = std::max(1, (steps + turns - 1) / turns);
-  for (int turn = 0; turn < turns; ++turn) {
-    measure_reference(reference, steps_a_turn, samples);
-    measure_insertion(insertion, steps_a_turn, samples);
-  }
+  insertion.solve_to(std::max(tolerance_for(insertion, of_reference, wanted.equal_by), rounding));
+  for (int i = 0; i < settling_steps; ++i) insertion.advance(insertion.model().scene.hand.speed);
+  Samples samples;
+  measure_in_turns(reference, insertion, wanted.steps, samples);
   if (insertion.frame().health != Health::good)
     return Error{"the insertion that is measured stopped after " + std::to_string(insertion.frame().time) +
                  " s of its time"};
-  return summed_up(insertion.model(), samples);
+  StepCost cost = summed_up(insertion.model(), reference, samples);
+  cost.reference_residual = of_reference;
+  return cost;
 }
 
 }  // namespace acus::bench

@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "acus/io/spelling.h"
+#include "acus/sim/scene_keys.h"
 #include "verbs.h"
 
 namespace acus::app {
@@ -94,7 +95,8 @@ void add_bench(CLI::App& program, Work& work) {
   CLI::App* verb = program.add_subcommand("bench", "cost per step by mesh size and part, beside a reference");
   // Tetrahedra. On smaller blocks the reference comes to rest within what doubles can hold, and past it.
   constexpr int fewest = 1000, most = 1000000;
-  verb->add_option("--sizes", options->sizes, "tetrahedra aimed at, as in --sizes 1000,10000")
+  verb->add_option("--sizes", options->sizes,
+                   "tetrahedra aimed at, as in --sizes 1000,10000; 10000 for --insertion")
       ->delimiter(',')
       ->check(CLI::Range(fewest, most))
       ->capture_default_str();
@@ -104,8 +106,25 @@ void add_bench(CLI::App& program, Work& work) {
       ->capture_default_str();
   verb->add_flag("--by-load", options->by_load,
                  "solve to the reference's residual per newton of the load, not to that per |b|");
+  verb->add_flag("--by-change", options->by_change,
+                 "solve to the reference's residual of the equation for the change of velocity");
+  verb->add_option(
+          "--element", options->element,
+          "the engine's tetrahedra: linear, as the reference's are, or nodal_pressure; the scene's own "
+          "without it")
+      ->type_name("KIND")
+      ->check(CLI::IsMember(std::get<ChoiceField>(find_scene_key("tissue.element")->field).names));
+  verb->add_flag(
+      "--insertion", options->insertion,
+      "measure whole insertions of the default scene instead: in, through buckling and puncture, and "
+      "out again");
+  add_settings(*verb, options->settings);
   verb->add_flag("--json", options->json, "print one JSON object and nothing else");
-  verb->callback([options, &work] { work = [options] { return do_bench(*options); }; });
+  verb->callback([options, verb, &work] {
+    options->sizes_given = verb->count("--sizes") > 0;
+    options->steps_given = verb->count("--steps") > 0;
+    work = [options] { return do_bench(*options); };
+  });
 }
 
 void add_study(CLI::App& program, Work& work) {

@@ -44,8 +44,13 @@ int do_check(const CheckOptions& options);
 
 struct BenchOptions {
   std::vector<int> sizes = {1000, 3000, 10000, 40000};  // tetrahedra
+  bool sizes_given = false;
   int steps = 100;
-  bool by_load = false;
+  bool steps_given = false;
+  bool by_load = false, by_change = false;
+  std::string element;                // as tissue.element; empty: the scene's own
+  bool insertion = false;             // whole ones instead of single steps
+  std::vector<std::string> settings;  // key=value, of an insertion
   bool json = false;
 };
 int do_bench(const BenchOptions& options);

@@ -133,7 +133,7 @@ void load_sticks(const Model& m, Scratch& w) {
 // The velocities at which the held points at `rate` and the tissue agree, and what they leave of the tissue's
 // own equation.
 numeric::SolveOutcome solve_tissue(const Model& m, State& s, Scratch& w, double rate, double exactness,
-                                   double& target) {
+                                   double& target, const StepProbe& probe) {
   w.right_hand_side = w.momentum;
   add_held(w.right_hand_side, m, w, rate, 1.0);
   double load = 0.0;
@@ -144,8 +144,10 @@ numeric::SolveOutcome solve_tissue(const Model& m, State& s, Scratch& w, double 
   w.residual = w.imbalance;
   add_held(w.residual, m, w, rate, 1.0);
   add_sticks(w.residual, m, w, s.velocity, -1.0);
+  probe(StepPart::coupling);
   const numeric::SolveOutcome outcome = numeric::improve_refined_into(
       s.velocity, w.residual, target, max_iterations, w.solver, Product{m, w}, preconditioner(m, w));
+  probe(StepPart::solve);
   w.imbalance = w.residual;
   add_held(w.imbalance, m, w, rate, -1.0);
   add_sticks(w.imbalance, m, w, s.velocity);
@@ -216,7 +218,7 @@ double resistance(const Model& m, Scratch& w) {
 }
 
 CoupledOutcome solve_coupled(const Model& m, State& s, Scratch& w, double hand_travel, double free_length,
-                             double configurational_force) {
+                             double configurational_force, const StepProbe& probe) {
   CoupledOutcome outcome;
   double rate = s.tip_rate;
   correct_grips(m, s, w, rate);
@@ -227,8 +229,9 @@ CoupledOutcome solve_coupled(const Model& m, State& s, Scratch& w, double hand_t
     // Points on the verge of slipping change for ever on solutions that are too rough to tell.
     if (pass >= easy_passes) exactness *= 0.1;
     double target = 0.0;
-    const numeric::SolveOutcome solve = solve_tissue(m, s, w, rate, exactness, target);
+    const numeric::SolveOutcome solve = solve_tissue(m, s, w, rate, exactness, target, probe);
     load_sticks(m, w);
+    probe(StepPart::coupling);
     numeric::SolveOutcome answer = solve_influence(s.influence, m, w, influence_tolerance);
     outcome.iterations += solve.iterations + answer.iterations;
     Reaction reaction = gather_reaction(m, s, w, rate);
@@ -239,12 +242,14 @@ CoupledOutcome solve_coupled(const Model& m, State& s, Scratch& w, double hand_t
       outcome.iterations += answer.iterations;
       reaction = gather_reaction(m, s, w, rate);
     }
+    probe(StepPart::solve);
     outcome.broke_down = solve.broke_down || answer.broke_down || solve.iterations >= max_iterations ||
                          answer.iterations >= max_iterations;
     if (outcome.broke_down) return outcome;
 
     const double guess = rate;
     rate = balanced_rate(m, s, reaction, hand_travel, free_length, configurational_force, guess);
+    probe(StepPart::rod);
     follow(m, s, w, rate - guess);
     if (correct_grips(m, s, w, rate)) {
       const double t = line_search(m, s, w, hand_travel, free_length, configurational_force, guess, rate);

@@ -13,6 +13,7 @@
 
 #include "acus/sim/scratch.h"
 #include "acus/sim/state.h"
+#include "acus/sim/step_probe.h"
 
 namespace acus {
 
@@ -24,7 +25,7 @@ struct CoupledOutcome {
 // Advances state.velocity, influence and tip_rate. `scratch` holds the assembled matrix, the momentum and the
 // held points; the hand ends the step at `hand_travel`.
 CoupledOutcome solve_coupled(const Model& model, State& state, Scratch& scratch, double hand_travel,
-                             double free_length, double configurational_force);
+                             double free_length, double configurational_force, const StepProbe& probe);
 
 // How the force of tissue and sliders on the needle would have grown with its rate in the step that was
 // solved last. N s/m, at least 0. Takes some iterations of its own and leaves the state alone; 0 when they do

@@ -36,4 +36,10 @@ std::string name_of(needle::Support support) {
   return chosen(std::array{"pinned_pinned", "clamped_pinned", "clamped_clamped", "clamped_free"}, support);
 }
 
+std::string name_of(StepPart part) {
+  return chosen(std::array<const char*, step_parts>{"contact", "assembly", "rod", "coupling", "solve",
+                                                    "rotation", "cutting", "ledger"},
+                part);
+}
+
 }  // namespace acus

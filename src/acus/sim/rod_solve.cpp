@@ -210,11 +210,12 @@ double line_search(const Model& m, State& s, Scratch& w, const needle::Pose& hub
 }
 
 // One step of Newton's method for rod and tissue on the present branches. False when the solve fails.
-bool improve(const Model& m, State& s, Scratch& w, RodOutcome& outcome) {
+bool improve(const Model& m, State& s, Scratch& w, RodOutcome& outcome, const StepProbe& probe) {
   needle::RodMotion& motion = w.rod.motion;
   if (!m.rigid()) {
     w.rod.free_answer = motion.residual;
     motion.matrix.solve(w.rod.free_answer.data());
+    probe(StepPart::rod);
     w.right_hand_side = w.momentum;
     add_contacts(w.right_hand_side, m, s, w, 1.0);
     double load = 0.0;
@@ -225,12 +226,15 @@ bool improve(const Model& m, State& s, Scratch& w, RodOutcome& outcome) {
     w.residual = w.imbalance;
     add_contacts(w.residual, m, s, w, 1.0);
     product.add_rod(w.residual, s.velocity, -1.0);
+    probe(StepPart::coupling);
     const numeric::SolveOutcome solve =
         numeric::improve_refined_into(s.velocity, w.residual, residual_target(m, w, load), max_iterations,
                                       w.solver, product, preconditioner(m, w));
+    probe(StepPart::solve);
     w.imbalance = w.residual;
     add_contacts(w.imbalance, m, s, w, -1.0);
     product.add_rod(w.imbalance, s.velocity, 1.0);
+    probe(StepPart::coupling);
     outcome.iterations += solve.iterations;
     if (solve.broke_down || solve.iterations >= max_iterations) return false;
   }
@@ -242,7 +246,8 @@ bool improve(const Model& m, State& s, Scratch& w, RodOutcome& outcome) {
 
 }  // namespace
 
-RodOutcome solve_with_rod(const Model& m, State& s, Scratch& w, const needle::Pose& hub) {
+RodOutcome solve_with_rod(const Model& m, State& s, Scratch& w, const needle::Pose& hub,
+                          const StepProbe& probe) {
   const double h = m.scene.run.time_step;
   RodOutcome outcome;
   needle::RodMotion& motion = w.rod.motion;
@@ -270,6 +275,7 @@ RodOutcome solve_with_rod(const Model& m, State& s, Scratch& w, const needle::Po
       }
     }
     if (!factor_rod(m, s, w, hub)) break;
+    probe(StepPart::rod);
     // At a balance from which the rod is about to give way: it leaves it with each pass, by little more.
     const bool giving_way = settled && pass >= easy_passes && left > left_before &&
                             left > 4.0 * force_error && left < slight_force;
@@ -279,10 +285,15 @@ RodOutcome solve_with_rod(const Model& m, State& s, Scratch& w, const needle::Po
       w.imbalance_tried = w.imbalance;
     }
     w.rod.before = s.needle.rod;
-    if (!improve(m, s, w, outcome)) break;
+    probe(StepPart::coupling);
+    if (!improve(m, s, w, outcome, probe)) break;
     go_part_of_the_way(m, s, w, 1.0);
+    probe(StepPart::rod);
     settled = !correct_grips(m, s, w) && !giving_way;
-    if (settled) continue;
+    if (settled) {
+      probe(StepPart::coupling);
+      continue;
+    }
     const double share = giving_way ? stride : line_search(m, s, w, hub);
     go_part_of_the_way(m, s, w, share);
     if (!m.rigid() && share != 1.0) {
@@ -292,6 +303,7 @@ RodOutcome solve_with_rod(const Model& m, State& s, Scratch& w, const needle::Po
       numeric::add_scaled_into(w.imbalance, -share, w.imbalance_tried);
     }
     correct_grips(m, s, w);
+    probe(StepPart::coupling);
   }
   outcome.broke_down = true;
   return outcome;

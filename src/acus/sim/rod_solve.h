@@ -12,6 +12,7 @@
 
 #include "acus/sim/scratch.h"
 #include "acus/sim/state.h"
+#include "acus/sim/step_probe.h"
 
 namespace acus {
 
@@ -23,7 +24,8 @@ struct RodOutcome {
 
 // Advances state.velocity and state.needle.rod. `scratch` holds the tissue's matrix and momentum and the
 // contacts. The hub ends the step at `hub`; a grip lets node 0 stay behind along the path.
-RodOutcome solve_with_rod(const Model& model, State& state, Scratch& scratch, const needle::Pose& hub);
+RodOutcome solve_with_rod(const Model& model, State& state, Scratch& scratch, const needle::Pose& hub,
+                          const StepProbe& probe);
 
 // How the force on the hub would have grown with its travel in the step that was solved last, N/m, at least
 // 0; in series with the grip. Takes iterations of its own and leaves the state alone; 0 when they do not end.

@@ -74,13 +74,13 @@ void advance_rod(const Model& m, State& s, Scratch& w, const needle::Pose& hub, 
   before.hub = s.needle.hub;
   before.rod_energy = s.ledger.energy_needle;
   touch_rod(m, s, w);
-  probe(StepPart::touch);
+  probe(StepPart::contact);
   if (!m.rigid()) {
     assemble_tissue(m, s, w);
     begin_tissue(m, s, w);
   }
   probe(StepPart::assembly);
-  const RodOutcome solved = solve_with_rod(m, s, w, hub);
+  const RodOutcome solved = solve_with_rod(m, s, w, hub, probe);
   if (solved.broke_down) {
     frame.health = Health::solver_broke_down;
     return;
@@ -89,10 +89,11 @@ void advance_rod(const Model& m, State& s, Scratch& w, const needle::Pose& hub, 
   frame.hub_force = solved.hub_force;
   frame.hub_moment = needle::hub_moment(m.rod, s.needle.rod, hub);
   s.needle.hub = hub;
-  probe(StepPart::solve);
+  probe(StepPart::rod);
   if (!m.rigid()) {
     move_tissue(m, s, w, before.tissue, probe);
     account_tissue(m, s, w, before.tissue);
+    probe(StepPart::ledger);
   } else {
     s.ledger.energy_kinetic = 0.0;
   }

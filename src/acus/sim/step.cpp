@@ -131,17 +131,17 @@ bool move_together(const Model& m, State& s, Scratch& w, double hand_travel, Bef
                    const StepProbe& probe) {
   const double h = m.scene.run.time_step;
   touch(m, s, w, before.place);
-  probe(StepPart::touch);
+  probe(StepPart::contact);
   const double configurational = before.configurational_force(m);
   assemble_tissue(m, s, w);
   coupling::add_along(w.momentum, m.entry, h * configurational, m.path.direction);
-  probe(StepPart::assembly);
   begin_tissue(m, s, w);
+  probe(StepPart::assembly);
   const CoupledOutcome solved =
-      solve_coupled(m, s, w, hand_travel, before.place.free_length, configurational);
+      solve_coupled(m, s, w, hand_travel, before.place.free_length, configurational, probe);
   if (solved.broke_down) return false;
   frame.solver_iterations = solved.iterations;
-  probe(StepPart::solve);
+  probe(StepPart::coupling);
   s.tip_position += h * s.tip_rate;
   move_tissue(m, s, w, before.tissue, probe);
   return true;

@@ -53,7 +53,7 @@ machine "" 100 0 && says "apt-get could not install: clang-format" 1
 apt_was_asked "update"
 machine "" 0 1000 && says "need root to install (there is no sudo here): clang-format" 1
 machine "cmake" 0 1000 && says ": g++ ninja-build ccache libeigen3-dev libcli11-dev nlohmann-json3-dev libpugixml-dev libtomlplusplus-dev \
-libboost-dev libgtest-dev librapidcheck-dev libbenchmark-dev clang libclang-rt-dev emscripten nodejs node-typescript clang-format chromium" 1 test
+libboost-dev libgtest-dev librapidcheck-dev libbenchmark-dev clang libclang-rt-dev emscripten nodejs node-typescript clang-format chromium valgrind" 1 test
 machine "" 0 0 && rm "$scratch/bin/dpkg-query" && says "this is not Debian" 1
 
 printf '%d expectations failed\n' "$failures"

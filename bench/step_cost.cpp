@@ -170,21 +170,23 @@ Residual residual_of(ReferenceStep& reference) {
   return residual_at(residuals, 0.5);
 }
 
-// How exactly the engine must solve relative to |b| to leave no more than the reference in the quantity that
-// is wanted. Advances the insertion by some steps to see how the quantities go together.
+// The tolerance with which the engine leaves no more than the reference in the quantity that is wanted.
+// Advances the insertion by some steps to see how the quantities go together: the tolerance is of |b| and the
+// load's impulse together.
 double tolerance_for(MeasuredInsertion& insertion, const Residual& reference, EqualBy equal_by) {
-  constexpr double margin = 0.85;           // towards the better residual
-  constexpr double margin_of_others = 0.6;  // they vary more from step to step
-  const double by_momentum = margin * reference.of_momentum;
-  const auto quantity = equal_by == EqualBy::load ? &Residual::of_load : &Residual::of_change;
+  constexpr double margin = 0.6;  // how they go together varies from step to step
+  const auto quantity = equal_by == EqualBy::load     ? &Residual::of_load
+                        : equal_by == EqualBy::change ? &Residual::of_change
+                                                      : &Residual::of_momentum;
   for (int i = 0; i < settling_steps; ++i) insertion.advance(insertion.model().scene.hand.speed);
   double loosest = 1.0;
   for (int i = 0; i < settling_steps; ++i) {
     insertion.advance(insertion.model().scene.hand.speed);
     const Residual& found = insertion.residual();
-    loosest = std::min(loosest, reference.*quantity * found.of_momentum / (found.*quantity));
+    const double of_tolerance = 1.0 / (1.0 / found.of_momentum + 1.0 / found.of_load);
+    loosest = std::min(loosest, reference.*quantity * of_tolerance / (found.*quantity));
   }
-  return equal_by == EqualBy::momentum ? by_momentum : margin_of_others * loosest;
+  return margin * loosest;
 }
 
 StepCost summed_up(const Model& model, const ReferenceStep& reference, const Samples& samples) {

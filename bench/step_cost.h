@@ -29,15 +29,16 @@ struct StepCost {
   double real_time_factor = 0.0;       // simulated time / processor time
 };
 
-// By which of the residuals engine and reference are equally good. |b| is the momentum of what moves: a block
-// that swings under a sudden newton has much, one into which a needle creeps has little, so that by momentum
-// more is asked of the engine than by load, which is what an error of the force goes by.
+// By which of the residuals engine and reference are equally good: what is left for each newton of the load,
+// which an error of the force goes by; of the equation for the change of velocity; of |b|, the momentum of
+// what moves. A block that swings under a sudden newton has much of it and changes much, one into which a
+// needle creeps little, so the last two ask more of the engine.
 enum class EqualBy { momentum, change, load };
 
 struct StepWanted {
   int tetrahedra = 10000;  // about
   int steps = 100;         // measured
-  EqualBy equal_by = EqualBy::momentum;
+  EqualBy equal_by = EqualBy::load;
   Element element = TissueScene{}.element;  // of the engine; the reference's are linear
 };
 

@@ -69,8 +69,9 @@ int measure_steps(const BenchOptions& options) {
   wanted.steps = options.steps;
   if (!options.element.empty())
     wanted.element = io::with_settings({}, {"tissue.element=" + options.element})->tissue.element;
-  if (options.by_change) wanted.equal_by = bench::EqualBy::change;
-  if (options.by_load) wanted.equal_by = bench::EqualBy::load;
+  wanted.equal_by = options.equal == "load"     ? bench::EqualBy::load
+                    : options.equal == "change" ? bench::EqualBy::change
+                                                : bench::EqualBy::momentum;
   for (int size : options.sizes) {
     wanted.tetrahedra = size;
     const Result<bench::StepCost> cost = bench::measure(wanted);
@@ -87,17 +88,14 @@ int measure_steps(const BenchOptions& options) {
         "A step with needle, contact, cutting and ledger beside a plain Eigen step of linear tissue alone:\n"
         "medians of processor time taken in turns, and medians of the residuals. The engine's largest "
         "residual\n"
-        "stays below the reference's median: in the first of the three columns, with --by-change in the "
-        "second,\n"
-        "with --by-load in the third.\n");
+        "stays below the reference's median by the measure that --equal names, %s.\n",
+        options.equal.c_str());
   return done;
 }
 
 }  // namespace
 
 int do_bench(const BenchOptions& options) {
-  if (options.by_change && options.by_load)
-    return refused("--by-change and --by-load name two measures of one thing; leave one away", bad_input);
   if (options.insertion) return measure_insertions(options);
   if (!options.settings.empty())
     return refused("--set lays a value over the scene of a whole insertion; add --insertion", bad_input);

@@ -114,9 +114,8 @@ void print(const bench::InsertionCost& cost, const Scene& scene) {
 
 std::optional<std::string> complaint(const BenchOptions& options) {
   if (options.steps_given) return "--steps is for single steps; an insertion goes to its end, leave it away";
-  if (options.by_load || options.by_change)
-    return "--by-load and --by-change are for single steps; an insertion is solved to --set "
-           "run.solver_tolerance=";
+  if (options.equal_given)
+    return "--equal is for single steps; an insertion is solved to --set run.solver_tolerance=";
   for (const std::string& setting : options.settings)
     if (setting.starts_with("tissue.tetrahedra"))
       return "tissue.tetrahedra: the number of tetrahedra is given with --sizes; leave the setting away";

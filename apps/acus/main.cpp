@@ -104,10 +104,13 @@ void add_bench(CLI::App& program, Work& work) {
   verb->add_option("--steps", options->steps, "steps measured for each size")
       ->check(CLI::Range(1, most_steps))
       ->capture_default_str();
-  verb->add_flag("--by-load", options->by_load,
-                 "solve to the reference's residual per newton of the load, not to that per |b|");
-  verb->add_flag("--by-change", options->by_change,
-                 "solve to the reference's residual of the equation for the change of velocity");
+  verb->add_option(
+          "--equal", options->equal,
+          "solve to the reference's residual per newton of the load, of the equation for the change of "
+          "velocity, or of |b|")
+      ->type_name("MEASURE")
+      ->check(CLI::IsMember({"load", "change", "momentum"}))
+      ->capture_default_str();
   verb->add_option(
           "--element", options->element,
           "the engine's tetrahedra: linear, as the reference's are, or nodal_pressure; the scene's own "
@@ -123,6 +126,7 @@ void add_bench(CLI::App& program, Work& work) {
   verb->callback([options, verb, &work] {
     options->sizes_given = verb->count("--sizes") > 0;
     options->steps_given = verb->count("--steps") > 0;
+    options->equal_given = verb->count("--equal") > 0;
     work = [options] { return do_bench(*options); };
   });
 }

@@ -47,7 +47,8 @@ struct BenchOptions {
   bool sizes_given = false;
   int steps = 100;
   bool steps_given = false;
-  bool by_load = false, by_change = false;
+  bool equal_given = false;
+  std::string equal = "load";         // the measure of the residual in which the reference is met
   std::string element;                // as tissue.element; empty: the scene's own
   bool insertion = false;             // whole ones instead of single steps
   std::vector<std::string> settings;  // key=value, of an insertion

@@ -14,7 +14,7 @@ namespace {
 TEST(Bench, reports_every_part_and_solves_no_worse_than_its_reference) {
   const std::string folder = fresh_folder("bench");
   for (const std::vector<std::string>& more :
-       {std::vector<std::string>{}, {"--by-change"}, {"--by-load", "--element", "linear"}}) {
+       {std::vector<std::string>{"--element", "linear"}, {"--equal", "change"}, {"--equal", "momentum"}}) {
     std::vector<std::string> words = {"bench", "--json", "--sizes", "1000", "--steps", "20"};
     words.insert(words.end(), more.begin(), more.end());
     const ProgramRun run = run_program(words, folder);
@@ -32,7 +32,7 @@ TEST(Bench, reports_every_part_and_solves_no_worse_than_its_reference) {
     for (const char* part :
          {"contact", "assembly", "rod", "coupling", "solve", "rotation", "cutting", "ledger"})
       EXPECT_GT(row["stages"][part].get<double>(), 0.0) << part;
-    const std::string of = more.empty() ? "" : more[0] == "--by-load" ? "_of_load" : "_of_change";
+    const std::string of = more[1] == "linear" ? "_of_load" : more[1] == "change" ? "_of_change" : "";
     EXPECT_LE(row["residual" + of].get<double>(), row["reference_residual" + of].get<double>());
     for (const char* residual : {"residual", "residual_of_change", "residual_of_load"}) {
       const double median = row[std::string("median_") + residual].get<double>();
@@ -119,10 +119,10 @@ TEST(Bench, refuses_what_it_cannot_measure_in_one_sentence) {
         {{"--steps", "0"}, "--steps"},
         {{"--element", "cubic"}, "--element: cubic not in {linear,nodal_pressure}"},
         {{"--frobnicate"}, "--frobnicate"},
-        {{"--by-load", "--by-change"}, "leave one away"},
+        {{"--equal", "force"}, "--equal: force not in {load,change,momentum}"},
         {{"--set", "run.solver_tolerance=1e-3"}, "add --insertion"},
         {{"--insertion", "--steps", "3"}, "--steps is for single steps"},
-        {{"--insertion", "--by-load"}, "run.solver_tolerance"},
+        {{"--insertion", "--equal", "load"}, "run.solver_tolerance"},
         {{"--insertion", "--set", "tissue.tetrahedra=2000"}, "--sizes"},
         {{"--insertion", "--set", "tissue.mesh=liver.msh"}, "tissue.mesh"},
         {{"--insertion", "--set", "run.solver_tolerence=1"}, "did you mean run.solver_tolerance?"},

@@ -19,6 +19,7 @@ Scene pressed(NeedleModel model, double share, double time, std::vector<HandPoin
   scene.tissue.relaxation_time = time;
   scene.hand.kind = HandKind::path;
   scene.hand.path = std::move(path);
+  scene.run.solver_tolerance = 1e-8;  // forces are compared to a nanonewton
   return scene;
 }
 const std::vector<HandPoint> push_and_hold = {{0.0, 0.0}, {0.05, 2.5e-3}, {1.2, 2.5e-3}};

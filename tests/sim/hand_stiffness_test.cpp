@@ -22,6 +22,7 @@ Scene scene_of(const Case& c) {
   scene.needle.length = c.length;
   scene.tissue.tetrahedra = 1000;
   scene.run.time_step = c.time_step;
+  scene.run.solver_tolerance = 1e-9;  // differences of forces over 0.1 um
   scene.hand.stiffness = c.grip;
   scene.needle_model = c.model;
   return scene;

@@ -60,7 +60,8 @@ TEST_P(CrushedTissue, springs_back_from_a_point) {
 TEST_P(CrushedTissue, springs_back_from_inside_out) {
   BareTissue tissue(held_mesh(irregular_block(), at_bottom), soft, GetParam());
   // The upper half pushed down through the lower one by half a box.
-  recover(tissue, Needs::safe_rotations, [](const Vec3& x) { return Vec3(x.x(), x.y(), x.z() > 0.025 ? 0.005 : x.z()); });
+  recover(tissue, Needs::safe_rotations,
+          [](const Vec3& x) { return Vec3(x.x(), x.y(), x.z() > 0.025 ? 0.005 : x.z()); });
 }
 
 TEST_P(CrushedTissue, says_when_a_position_is_not_a_number) {

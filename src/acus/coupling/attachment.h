@@ -21,8 +21,8 @@ namespace acus::coupling {
 struct Attachment {
   std::vector<int> node;
   std::vector<double> weight;  // at least 0, sum to 1 over free and held nodes
-  // The tetrahedra that held the points of a disc when it was attached here before, -1 where none did: they are
-  // tried first.
+  // The tetrahedra that held the points of a disc when it was attached here before, -1 where none did: they
+  // are tried first.
   std::vector<int> last;
 
   void reserve(int entries) { node.reserve(entries), weight.reserve(entries); }

@@ -30,7 +30,8 @@ class Locator {
   std::optional<Embedding> locate(const Vec3& point, double snap) const;
   // As above with a snap of 1e-6 of the mesh's diagonal: forgives rounding and nothing else.
   std::optional<Embedding> locate(const Vec3& point) const { return locate(point, rounding_); }
-  // As the first, but tries tetrahedron `first` before all others: a point that moves little stays where it is.
+  // As the first, but tries tetrahedron `first` before all others: a point that moves little stays where it
+  // is.
   std::optional<Embedding> locate(const Vec3& point, double snap, int first) const;
   // Index of the node of a tetrahedron nearest to `point`; the lowest index among equals. `point` finite.
   int nearest_node(const Vec3& point) const;

@@ -25,7 +25,7 @@ struct Corotation {
   double energy = 0.0;                 // J, with that of the branches' springs
   double relaxed = 0.0;                // J, spent by the branches' dashpots in the step that ends here
   bool finite = true;                  // false as soon as a position is not a number
-  int safe_rotations = 0;             // elements that needed the slow, safe rotation
+  int safe_rotations = 0;              // elements that needed the slow, safe rotation
 
   numeric::NodeVector field;  // [nodes] working memory: positions, with the nodal pressures beside them
 };

@@ -60,4 +60,21 @@ SolveOutcome improve_refined_into(NodeVector& x, NodeVector& residual, double ta
   }
 }
 
+// The same in double throughout, but for `precondition`, which stays in float.
+template <class Multiply, class Precondition>
+SolveOutcome improve_in_double_into(NodeVector& x, NodeVector& residual, double target, int max_iterations,
+                                    SolveScratch<double>& s, SolveScratch<float>& single,
+                                    const Multiply& multiply, const Precondition& precondition) {
+  s.residual = residual;
+  const SolveOutcome outcome =
+      improve_into(x, target, max_iterations, s, multiply, [&](NodeVector& z, const NodeVector& r) {
+        const double norm = std::sqrt(dot(r, r));  // so that nothing falls below the smallest float
+        scale_into(single.residual, norm > 0.0 ? 1.0 / norm : 1.0, r);
+        precondition(single.preconditioned, single.residual);
+        scale_into(z, norm, single.preconditioned);
+      });
+  residual = s.residual;
+  return outcome;
+}
+
 }  // namespace acus::numeric

@@ -145,8 +145,7 @@ numeric::SolveOutcome solve_tissue(const Model& m, State& s, Scratch& w, double 
   add_held(w.residual, m, w, rate, 1.0);
   add_sticks(w.residual, m, w, s.velocity, -1.0);
   probe(StepPart::coupling);
-  const numeric::SolveOutcome outcome = numeric::improve_refined_into(
-      s.velocity, w.residual, target, max_iterations, w.solver, Product{m, w}, preconditioner(m, w));
+  const numeric::SolveOutcome outcome = improve_velocity(m, s, w, target, Product{m, w});
   probe(StepPart::solve);
   w.imbalance = w.residual;
   add_held(w.imbalance, m, w, rate, -1.0);
@@ -243,8 +242,7 @@ CoupledOutcome solve_coupled(const Model& m, State& s, Scratch& w, double hand_t
       reaction = gather_reaction(m, s, w, rate);
     }
     probe(StepPart::solve);
-    outcome.broke_down = solve.broke_down || answer.broke_down || solve.iterations >= max_iterations ||
-                         answer.iterations >= max_iterations;
+    outcome.broke_down = solve.broke_down || answer.broke_down || answer.iterations >= max_iterations;
     if (outcome.broke_down) return outcome;
 
     const double guess = rate;

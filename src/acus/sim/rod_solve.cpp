@@ -227,16 +227,14 @@ bool improve(const Model& m, State& s, Scratch& w, RodOutcome& outcome, const St
     add_contacts(w.residual, m, s, w, 1.0);
     product.add_rod(w.residual, s.velocity, -1.0);
     probe(StepPart::coupling);
-    const numeric::SolveOutcome solve =
-        numeric::improve_refined_into(s.velocity, w.residual, residual_target(m, w, load), max_iterations,
-                                      w.solver, product, preconditioner(m, w));
+    const numeric::SolveOutcome solve = improve_velocity(m, s, w, residual_target(m, w, load), product);
     probe(StepPart::solve);
     w.imbalance = w.residual;
     add_contacts(w.imbalance, m, s, w, -1.0);
     product.add_rod(w.imbalance, s.velocity, 1.0);
     probe(StepPart::coupling);
     outcome.iterations += solve.iterations;
-    if (solve.broke_down || solve.iterations >= max_iterations) return false;
+    if (solve.broke_down) return false;
   }
   w.rod.change = motion.residual;
   add_tissue_to(w.rod.change, m, s, w);

@@ -90,9 +90,14 @@ struct GuideScene {
   double friction = 0.0;   // N/m, per length of needle inside it
 };
 
+// Of the inner iterations of a solve. In single precision they are refined in double where floats do not
+// reach.
+enum class Precision { single_, double_ };
+
 struct RunScene {
-  double time_step = 1e-3;         // s
-  double solver_tolerance = 1e-5;  // of the load, that a solve may leave unbalanced
+  double time_step = 1e-3;  // s
+  Precision solver_precision = Precision::single_;
+  double solver_tolerance = 1e-4;  // of the load, that a solve may leave unbalanced
   int trace_stride = 1;            // steps from one recorded frame to the next
 };
 

@@ -16,6 +16,8 @@ Scratch build_scratch(const Model& m) {
   w.matrix = tissue::build_system_matrix(m.tissue);
   tissue::set_factors(w.matrix, m.tissue, m.factors.mass, m.factors.stiffness);
   w.solver = numeric::RefinedScratch(m.tissue.free_nodes);
+  if (m.scene.run.solver_precision == Precision::double_)
+    w.exact_solver = numeric::SolveScratch<double>(m.tissue.free_nodes);
   w.coarse = numeric::build_scratch(m.coarse);
   const std::size_t size = static_cast<std::size_t>(m.tissue.free_nodes) * numeric::node_stride;
   for (numeric::NodeVector* v : {&w.momentum, &w.imbalance, &w.right_hand_side, &w.residual,

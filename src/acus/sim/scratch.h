@@ -51,6 +51,7 @@ struct Scratch {
   tissue::Corotation corotation;  // at the present positions
   tissue::SystemMatrix matrix;    // at the positions of `corotation`
   numeric::RefinedScratch solver;
+  numeric::SolveScratch<double> exact_solver;  // where the scene asks for double precision
   numeric::CoarseScratch coarse;
   numeric::NodeVector momentum;  // M v0 + h f_el + impulses that do not depend on the step
   // What the tissue's own equation is short of with state.velocity: momentum - A v. Contacts make up for it.

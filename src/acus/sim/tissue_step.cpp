@@ -11,7 +11,7 @@ namespace {
 // of the forces of one step's motion, both a thousandth of the load and less.
 void multiply_as_exactly(numeric::NodeVector& y, const Model& m, Scratch& w, const numeric::NodeVector& x) {
   constexpr double floats_will_do = 1e-7;  // of the load
-  if (m.scene.run.solver_tolerance < floats_will_do)
+  if (m.scene.run.solver_tolerance < floats_will_do || m.scene.run.solver_precision == Precision::double_)
     return tissue::multiply_into(y, m.tissue, w.corotation, w.matrix, x);
   numeric::NodeVectorOf<float>&single = w.solver.single.direction, &product = w.solver.single.product;
   numeric::scale_into(single, 1.0, x);

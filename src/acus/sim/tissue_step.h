@@ -35,6 +35,22 @@ inline auto preconditioner(const Model& m, Scratch& w) {
   };
 }
 
+// Improves the tissue's velocity until `w.residual`, which is what it leaves, is below `target`, in the
+// precision that the scene asks for; multiply as in numeric::improve_refined_into.
+template <class Multiply>
+numeric::SolveOutcome improve_velocity(const Model& m, State& s, Scratch& w, double target,
+                                       const Multiply& multiply) {
+  constexpr int max_iterations = 4000;
+  numeric::SolveOutcome outcome =
+      m.scene.run.solver_precision == Precision::single_
+          ? numeric::improve_refined_into(s.velocity, w.residual, target, max_iterations, w.solver, multiply,
+                                          preconditioner(m, w))
+          : numeric::improve_in_double_into(s.velocity, w.residual, target, max_iterations, w.exact_solver,
+                                            w.solver.single, multiply, preconditioner(m, w));
+  outcome.broke_down = outcome.broke_down || outcome.iterations >= max_iterations;
+  return outcome;
+}
+
 // The solved velocity carried out.
 void move_tissue(const Model& model, State& state, Scratch& scratch, TissueBefore& before,
                  const StepProbe& probe);

@@ -20,6 +20,7 @@ void show_column(Page& page, const GroupRecords& group);       // critical loads
 void show_shapes(Page& page, const GroupRecords& group);       // Eq. 11 against the elastica
 void show_coupling(Page& page, const GroupRecords& group);     // Eq. 8 as printed against ours
 void show_convergence(Page& page, const GroupRecords& group);  // force under mesh refinement
+void show_exactness(Page& page, const GroupRecords& group);    // force under the solver's tolerance
 void show_felt(Page& page, const GroupRecords& group);         // force and travel over time
 void show_track(Page& page, const GroupRecords& group);        // where the tip went
 void show_map(Page& page, const GroupRecords& group);          // outcome over two keys

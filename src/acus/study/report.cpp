@@ -32,6 +32,8 @@ void show(Page& page, Exhibit exhibit, const GroupRecords& group) {
       return show_coupling(page, group);
     case Exhibit::convergence:
       return show_convergence(page, group);
+    case Exhibit::exactness:
+      return show_exactness(page, group);
     case Exhibit::felt:
       return show_felt(page, group);
     case Exhibit::track:

@@ -29,11 +29,11 @@ struct ExhibitName {
   Exhibit exhibit;
 };
 constexpr ExhibitName exhibit_names[] = {
-    {"force", Exhibit::force},   {"energy", Exhibit::energy},     {"stages", Exhibit::stages},
-    {"mesh", Exhibit::mesh},     {"loads", Exhibit::loads},       {"column", Exhibit::column},
-    {"shapes", Exhibit::shapes}, {"coupling", Exhibit::coupling}, {"convergence", Exhibit::convergence},
-    {"felt", Exhibit::felt},     {"map", Exhibit::map},           {"track", Exhibit::track},
-    {"depth", Exhibit::depth}};
+    {"force", Exhibit::force},         {"energy", Exhibit::energy},     {"stages", Exhibit::stages},
+    {"mesh", Exhibit::mesh},           {"loads", Exhibit::loads},       {"column", Exhibit::column},
+    {"shapes", Exhibit::shapes},       {"coupling", Exhibit::coupling}, {"convergence", Exhibit::convergence},
+    {"exactness", Exhibit::exactness}, {"felt", Exhibit::felt},         {"map", Exhibit::map},
+    {"track", Exhibit::track},         {"depth", Exhibit::depth}};
 
 // Reads one study file.
 class Reader : private TomlReading {

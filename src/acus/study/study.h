@@ -33,6 +33,7 @@ enum class Exhibit {
   shapes,
   coupling,
   convergence,
+  exactness,
   felt,
   map,
   depth,

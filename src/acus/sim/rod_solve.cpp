@@ -16,6 +16,9 @@ constexpr int max_passes = 80;  // of Newton's method and the branches together;
 constexpr int easy_passes = 8;  // more are for a rod that is giving way
 constexpr double slight_force = 1e-2, stride = 8.0;  // N; how much farther it goes while no more is left
 constexpr int max_iterations = 4000;                 // of one conjugate-gradient solve
+// Of what a pass starts with, that it may leave: while the rod is far from balance the tissue need not be
+// solved for it to the last (Dembo, Eisenstat and Steihaug 1982).
+constexpr double forcing = 0.2;
 constexpr double force_error = 1e-6;  // N, and N per edge for moments: what may be left unbalanced
 
 void add_at(std::vector<double>& to, int at, const Vec3& v) {
@@ -227,7 +230,10 @@ bool improve(const Model& m, State& s, Scratch& w, RodOutcome& outcome, const St
     add_contacts(w.residual, m, s, w, 1.0);
     product.add_rod(w.residual, s.velocity, -1.0);
     probe(StepPart::coupling);
-    const numeric::SolveOutcome solve = improve_velocity(m, s, w, residual_target(m, w, load), product);
+    const double target = residual_target(m, w, load);
+    const double start = std::sqrt(numeric::dot(w.residual, w.residual));
+    const numeric::SolveOutcome solve = improve_velocity(m, s, w, std::max(target, forcing * start), product);
+    outcome.tissue_solved = solve.residual_norm <= target;
     probe(StepPart::solve);
     w.imbalance = w.residual;
     add_contacts(w.imbalance, m, s, w, -1.0);
@@ -265,7 +271,7 @@ RodOutcome solve_with_rod(const Model& m, State& s, Scratch& w, const needle::Po
       const Vec3 by_hub = -three(motion.change, 0) / h;
       leave_to_hub(m, motion.change);
       left = imbalance(m, motion.change);
-      if (left <= force_error) {
+      if (left <= force_error && outcome.tissue_solved) {
         outcome.hub_force = by_hub;
         // A grip's pull is in balance already; what it holds across the path is left.
         if (grip) outcome.hub_force += (grip_pull(m, s, hub) - along.dot(by_hub)) * along;

@@ -19,6 +19,7 @@ namespace acus {
 struct RodOutcome {
   int iterations = 0;
   bool broke_down = false;
+  bool tissue_solved = true;      // to the tolerance
   Vec3 hub_force{0.0, 0.0, 0.0};  // N, of the hub on the rod
 };
 

@@ -174,7 +174,7 @@ Residual residual_of(ReferenceStep& reference) {
 // Advances the insertion by some steps to see how the quantities go together: the tolerance is of |b| and the
 // load's impulse together.
 double tolerance_for(MeasuredInsertion& insertion, const Residual& reference, EqualBy equal_by) {
-  constexpr double margin = 0.6;  // how they go together varies from step to step
+  constexpr double margin = 0.9;  // how they go together varies a little from step to step
   const auto quantity = equal_by == EqualBy::load     ? &Residual::of_load
                         : equal_by == EqualBy::change ? &Residual::of_change
                                                       : &Residual::of_momentum;

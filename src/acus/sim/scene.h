@@ -97,7 +97,7 @@ enum class Precision { single_, double_ };
 struct RunScene {
   double time_step = 1e-3;  // s
   Precision solver_precision = Precision::single_;
-  double solver_tolerance = 1e-4;  // of the load, that a solve may leave unbalanced
+  double solver_tolerance = 5e-5;  // of the load, that a solve may leave unbalanced
   int trace_stride = 1;            // steps from one recorded frame to the next
 };
 

@@ -165,7 +165,7 @@ std::vector<SceneKey> run_keys() {
        "of the conjugate gradients' iterations; single is twice as fast and no less exact, since it is "
        "refined"},
       {"run.solver_tolerance", NumberField{ACUS_AT(run.solver_tolerance), one, {1e-14, 0.1}},
-       "what a solve may leave unbalanced, of the load; 1e-4 moves no force by more than 0.05 %"},
+       "what a solve may leave unbalanced, of the load; 5e-5 moves no force by more than 0.03 %"},
       {"run.trace_stride", IntegerField{ACUS_AT(run.trace_stride), {1.0, 1e6}},
        "steps from one row of trace.csv to the next"},
   };

@@ -134,7 +134,8 @@ void ReferenceStep::load_top() {
   const double top = TissueScene{}.size.z();
   std::vector<int> loaded;
   for (int i = 0; i < nodes(); ++i)
-    if (mesh_.nodes[i].z() >= top && mesh_.nodes[i].head<2>().norm() < load_radius) loaded.push_back(i);
+    if (mesh_.nodes[i].z() >= (1.0 - 1e-9) * top && mesh_.nodes[i].head<2>().norm() < load_radius)
+      loaded.push_back(i);
   load_ = Eigen::VectorXd::Zero(3 * nodes());
   for (int i : loaded) load_[3 * i + 2] = -load / static_cast<double>(loaded.size());
 }

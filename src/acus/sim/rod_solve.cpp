@@ -16,9 +16,9 @@ constexpr int max_passes = 80;  // of Newton's method and the branches together;
 constexpr int easy_passes = 8;  // more are for a rod that is giving way
 constexpr double slight_force = 1e-2, stride = 8.0;  // N; how much farther it goes while no more is left
 constexpr int max_iterations = 4000;                 // of one conjugate-gradient solve
-// Of what a pass starts with, that it may leave: while the rod is far from balance the tissue need not be
-// solved for it to the last (Dembo, Eisenstat and Steihaug 1982).
-constexpr double forcing = 0.2;
+// While the rod is far from balance, by so many times the tolerance, the tissue need not be solved for it to
+// the last: a pass may leave this share of what it starts with (Dembo, Eisenstat and Steihaug 1982).
+constexpr double far = 100.0, forcing = 0.2;
 constexpr double force_error = 1e-6;  // N, and N per edge for moments: what may be left unbalanced
 
 void add_at(std::vector<double>& to, int at, const Vec3& v) {
@@ -232,7 +232,8 @@ bool improve(const Model& m, State& s, Scratch& w, RodOutcome& outcome, const St
     probe(StepPart::coupling);
     const double target = residual_target(m, w, load);
     const double start = std::sqrt(numeric::dot(w.residual, w.residual));
-    const numeric::SolveOutcome solve = improve_velocity(m, s, w, std::max(target, forcing * start), product);
+    const numeric::SolveOutcome solve =
+        improve_velocity(m, s, w, start > far * target ? forcing * start : target, product);
     outcome.tissue_solved = solve.residual_norm <= target;
     probe(StepPart::solve);
     w.imbalance = w.residual;

@@ -6,7 +6,9 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <map>
 #include <pugixml.hpp>
+#include <regex>
 #include <thread>
 
 #include "study_files.h"
@@ -218,6 +220,37 @@ panel = "hand.path"
   EXPECT_NE(html.find("time, s"), std::string::npos);
   EXPECT_NE(html.find("travel, mm"), std::string::npos);
   EXPECT_NE(html.find("since the hand goes back"), std::string::npos);
+}
+
+// Against the most exact run, which has no deviation from itself; a rough one has some.
+TEST(StudyProgram, what_the_solver_leaves_is_told_for_each_tolerance_and_precision) {
+  const fs::path folder = fresh_folder(), out = folder / "out";
+  const std::string study = write_text(folder / "rough.toml", R"(
+[scene.tissue]
+tetrahedra = 600
+[scene.needle]
+model = "column"
+[scene.hand]
+travel_mm = 2
+speed_mm_s = 50
+[axes]
+run.solver_precision = ["single", "double"]
+run.solver_tolerance = [1e-9, 1e-2]
+[report]
+show = ["exactness"]
+)");
+  const Outcome outcome = acus_study({study, "--out", out.string()}, folder);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.said;
+  const std::string html = text_of(out / "report.html");
+  const std::regex row("<tr><th[^>]*>1e-0([29])</th><td[^>]*>(single|double)</td><td[^>]*>([^<]*)</td>");
+  std::map<std::string, std::string> deviation;
+  for (auto at = std::sregex_iterator(html.begin(), html.end(), row); at != std::sregex_iterator(); ++at)
+    deviation[(*at)[1].str() + (*at)[2].str()] = (*at)[3].str();
+  ASSERT_EQ(deviation.size(), 4U);
+  EXPECT_EQ(deviation["9double"], "");
+  EXPECT_LT(std::stod(deviation["9single"]), 1e-7);
+  EXPECT_GT(std::stod(deviation["2single"]), 1e-6);
+  EXPECT_GT(std::stod(deviation["2double"]), 1e-6);
 }
 
 // Two boxes of gmsh, 10 by 10 by 15 mm, in a folder that is not where the program runs.

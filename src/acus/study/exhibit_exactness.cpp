@@ -107,7 +107,7 @@ void show_exactness(Page& page, const GroupRecords& group) {
   page.end_row();
   for (const Panel& panel : panels) {
     page.heading(3, joined({group.group->name, "-exactness-", panel.value}),
-                 joined({"The push over ", panel.value.empty() ? "the way" : panel.value}));
+                 figure_title(group, panel, "Deviations"));
     page.table(deviations(panel));
   }
 }

@@ -30,8 +30,8 @@ double residual_target(const Model& model, const Scratch& scratch, double load);
 inline auto preconditioner(const Model& m, Scratch& w) {
   using Single = numeric::NodeVectorOf<float>;
   return [&](Single& z, const Single& r) {
-    numeric::multiply_blocks_into(z, w.matrix.inverse_block, r);
-    numeric::add_coarse_correction_into(z, m.coarse, r, w.coarse);
+    numeric::multiply_blocks_into(z, w.matrix.inverse_block, r, w.team);
+    numeric::add_coarse_correction_into(z, m.coarse, r, w.coarse, w.team);
   };
 }
 

@@ -1,5 +1,5 @@
-// The same scene gives the same bits: run after run, with g++ and clang, optimised or with sanitizers, with any
-// number of threads, and in a browser (bindings/wasm/test).
+// The same scene gives the same bits: run after run, with g++ and clang, optimised or with sanitizers, with
+// any number of threads, and in a browser (bindings/wasm/test).
 #include <fstream>
 #include <map>
 

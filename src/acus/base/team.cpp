@@ -10,6 +10,7 @@ void Team::share(int, Call, const void*) const {}
 
 #else
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <system_error>
@@ -50,6 +51,7 @@ struct Team::Shared {
   // Written by the caller while nobody works.
   Call call = nullptr;
   const void* task = nullptr;
+  std::atomic<int> at_once{1};  // pieces. Who reads that of another task does not get his ticket
 
   alignas(cache_line) std::atomic<Ticket> ticket{0};
   alignas(cache_line) std::atomic<int> done{0};  // pieces of the task
@@ -58,17 +60,20 @@ struct Team::Shared {
   std::atomic<bool> over{false};
   std::vector<std::thread> workers;
 
-  // The caller takes pieces from the front and the others from the back, so that with two threads each finds
-  // in its cache what it had there before.
+  // Each takes its share at once, which costs two exchanges between cores and not two a piece; what others
+  // are late for, whoever is done takes too. The caller takes from the front and the others from the back, so
+  // that of two each finds in its cache what it had there before.
   enum class End { front, back };
-  bool do_one(End end) {
+  bool do_some(End end) {
     Ticket t = ticket.load(std::memory_order_acquire);
     while (any_left(t)) {
-      const Ticket rest = end == End::front ? t + (Ticket{1} << front_bits) : t - 1;
+      const int some = std::min(at_once.load(std::memory_order_relaxed), back(t) - front(t));
+      const Ticket rest = end == End::front ? t + (static_cast<Ticket>(some) << front_bits) : t - some;
       if (!ticket.compare_exchange_weak(t, rest, std::memory_order_acq_rel, std::memory_order_acquire))
         continue;
-      call(task, end == End::front ? front(t) : back(t) - 1);
-      done.fetch_add(1, std::memory_order_release);
+      const int first = end == End::front ? front(t) : back(t) - some;
+      for (int piece = first; piece < first + some; ++piece) call(task, piece);
+      done.fetch_add(some, std::memory_order_release);
       return true;
     }
     return false;
@@ -90,7 +95,7 @@ struct Team::Shared {
   void work() {
     int idle = 0;
     while (!over.load(std::memory_order_relaxed)) {
-      if (do_one(End::back)) {
+      if (do_some(End::back)) {
         idle = 0;
       } else if (++idle < spins_before_sleep) {
         pause();
@@ -116,10 +121,11 @@ void Team::share(int pieces, Call call, const void* task) const {
   Shared& s = *shared_;
   s.call = call;
   s.task = task;
+  s.at_once.store(std::max(1, pieces / static_cast<int>(s.workers.size() + 1)), std::memory_order_relaxed);
   s.done.store(0, std::memory_order_relaxed);
   s.ticket.store(next_task(s.ticket.load(std::memory_order_relaxed), pieces));
   s.wake();
-  while (s.do_one(Shared::End::front)) continue;
+  while (s.do_some(Shared::End::front)) continue;
   // Others may have been interrupted over a piece; then they should have the core.
   for (int idle = 0; s.done.load(std::memory_order_acquire) < pieces; ++idle) {
     if (idle < spins_before_sleep)

@@ -22,9 +22,10 @@ namespace {
 
 constexpr std::size_t cache_line = 64;
 
-// Between two parts of a step there is often little to wait for, and to be woken takes longer than that. A
-// pause is some 20 to 50 ns.
-constexpr int spins_before_sleep = 8000;
+// A pause is some 20 to 50 ns. Between two parts of a step there is often little to wait for, and to be woken
+// takes longer than that; for the last pieces of a task there should be less, unless who has them is
+// interrupted.
+constexpr int spins_before_sleep = 8000, spins_for_the_last = 1500;
 
 void pause() {
 #if defined(__x86_64__) || defined(__i386__)
@@ -55,6 +56,7 @@ struct Team::Shared {
 
   alignas(cache_line) std::atomic<Ticket> ticket{0};
   alignas(cache_line) std::atomic<int> done{0};  // pieces of the task
+  std::atomic<bool> caller_asleep{false};
   alignas(cache_line) std::atomic<int> asleep{0};
   std::atomic<int> calls{0};  // what sleepers wait on
   std::atomic<bool> over{false};
@@ -73,7 +75,8 @@ struct Team::Shared {
         continue;
       const int first = end == End::front ? front(t) : back(t) - some;
       for (int piece = first; piece < first + some; ++piece) call(task, piece);
-      done.fetch_add(some, std::memory_order_release);
+      done.fetch_add(some);
+      if (caller_asleep.load()) done.notify_one();
       return true;
     }
     return false;
@@ -90,6 +93,14 @@ struct Team::Shared {
     if (asleep.load() == 0) return;
     calls.fetch_add(1);
     calls.notify_all();
+  }
+
+  // Another was interrupted over its pieces: while the caller sleeps the system may go on with him here.
+  void wait_for(int pieces) {
+    caller_asleep.store(true);
+    const int so_far = done.load();
+    if (so_far < pieces) done.wait(so_far);
+    caller_asleep.store(false);
   }
 
   void work() {
@@ -126,13 +137,11 @@ void Team::share(int pieces, Call call, const void* task) const {
   s.ticket.store(next_task(s.ticket.load(std::memory_order_relaxed), pieces));
   s.wake();
   while (s.do_some(Shared::End::front)) continue;
-  // Others may have been interrupted over a piece; then they should have the core.
-  for (int idle = 0; s.done.load(std::memory_order_acquire) < pieces; ++idle) {
-    if (idle < spins_before_sleep)
+  for (int idle = 0; s.done.load(std::memory_order_acquire) < pieces; ++idle)
+    if (idle < spins_for_the_last)
       pause();
     else
-      std::this_thread::yield();
-  }
+      s.wait_for(pieces);
 }
 
 #endif

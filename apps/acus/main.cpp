@@ -46,7 +46,7 @@ void add_settings(CLI::App& verb, std::vector<std::string>& settings) {
 void add_threads(CLI::App& verb, int& threads) {
   verb.add_option(
           "--threads", threads,
-          "threads that share a step; it pays from 16 000 tetrahedra on and changes no bit of a result")
+          "threads that share a step; it pays from 6 000 tetrahedra on and changes no bit of a result")
       ->type_name("N")
       ->check(CLI::Range(1, most_threads))
       ->capture_default_str();

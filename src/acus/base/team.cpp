@@ -15,6 +15,7 @@ void Team::share(int, Call, const void*) const {}
 #include <cstdint>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace acus {

@@ -18,7 +18,7 @@ struct Range {
 // In numbers, four to a node.
 inline constexpr int most_pieces = 8;
 inline constexpr std::size_t shortest_cut = 5000;  // below it the work takes no longer than the handing out
-inline constexpr std::size_t cut_step = 64;         // cuts are at its multiples, so that nodes stay whole
+inline constexpr std::size_t cut_step = 64;        // cuts are at its multiples, so that nodes stay whole
 
 inline int pieces_of(std::size_t size) { return size < shortest_cut ? 1 : most_pieces; }
 inline Range piece_of(std::size_t size, int piece) {

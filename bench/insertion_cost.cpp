@@ -66,9 +66,10 @@ std::vector<StageCost> by_stage(const Samples& samples) {
 
 }  // namespace
 
-Result<InsertionCost> measure_insertion(const Scene& scene, const std::function<void(long)>& heard) {
+Result<InsertionCost> measure_insertion(const Scene& scene, const std::function<void(long)>& heard,
+                                        int threads) {
   const std::int64_t begun = processor_clock();
-  Result<Simulation> simulation = Simulation::build(scene);
+  Result<Simulation> simulation = Simulation::build(scene, nullptr, threads);
   if (!simulation) return simulation.error();
   InsertionCost cost;
   cost.build = us * us_between(begun, processor_clock());

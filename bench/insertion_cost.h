@@ -40,6 +40,8 @@ struct InsertionCost {
 
 // Follows the hand of the scene to its end; `heard` is told how many steps are done. Error: a scene that
 // cannot be built, or an insertion that stopped on its way.
-Result<InsertionCost> measure_insertion(const Scene& scene, const std::function<void(long)>& heard = {});
+// `threads` share each step.
+Result<InsertionCost> measure_insertion(const Scene& scene, const std::function<void(long)>& heard = {},
+                                        int threads = 1);
 
 }  // namespace acus::bench

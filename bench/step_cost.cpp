@@ -58,8 +58,11 @@ Residual true_residual(const Model& m, const State& s, const Scratch& w, numeric
 // The engine's step with a stop watch on its parts.
 class MeasuredInsertion {
  public:
-  explicit MeasuredInsertion(Model model)
-      : model_(std::move(model)), state_(initial_state(model_)), scratch_(build_scratch(model_)) {
+  MeasuredInsertion(Model model, int threads)
+      : clock_(threads == 1 ? processor_clock : wall_clock),
+        model_(std::move(model)),
+        state_(initial_state(model_)),
+        scratch_(build_scratch(model_, threads)) {
     tissue::corotate_into(scratch_.corotation, model_.tissue, state_.position);
     product_ = state_.velocity;
     constexpr std::size_t most_events = 64;
@@ -70,7 +73,7 @@ class MeasuredInsertion {
     part_us_.fill(0.0);
     solved_ = false;
     travel_ += speed * model_.scene.run.time_step;
-    since_ = processor_clock();
+    since_ = clock_();
     advance_rod(model_, state_, scratch_, hub_pose(model_, travel_), frame_, events_,
                 {&MeasuredInsertion::heard, this});
     whole_us_ = 0.0;
@@ -87,13 +90,14 @@ class MeasuredInsertion {
  private:
   static void heard(void* self, StepPart part) { static_cast<MeasuredInsertion*>(self)->done(part); }
   void done(StepPart part) {
-    part_us_[static_cast<int>(part)] += us_between(since_, processor_clock());
+    part_us_[static_cast<int>(part)] += us_between(since_, clock_());
     // The books are first opened when the solve is over and nothing has moved yet.
     if (part == StepPart::ledger && !std::exchange(solved_, true))
       residual_ = true_residual(model_, state_, scratch_, product_);
-    since_ = processor_clock();
+    since_ = clock_();
   }
 
+  std::int64_t (*clock_)();
   Model model_;
   State state_;
   Scratch scratch_;
@@ -215,7 +219,7 @@ Result<StepCost> measure(const StepWanted& wanted) {
   const Residual of_reference = residual_of(reference);
   auto model = build_model(scene_for(wanted, std::max(of_reference.of_momentum, rounding)), nullptr);
   if (!model) return model.error();
-  MeasuredInsertion insertion(std::move(*model));
+  MeasuredInsertion insertion(std::move(*model), wanted.threads);
   while (insertion.frame().inserted_length < depth && insertion.frame().health == Health::good)
     insertion.advance(approach_speed);
   insertion.solve_to(std::max(tolerance_for(insertion, of_reference, wanted.equal_by), rounding));

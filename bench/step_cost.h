@@ -10,8 +10,8 @@
 
 namespace acus::bench {
 
-// Times are processor time of the measuring thread, so that other work on the machine does not count;
-// medians.
+// Times are processor time of the measuring thread, so that other work on the machine does not count; with
+// several threads time on the wall, because they wait for each other. Medians.
 struct StepCost {
   int tetrahedra = 0;
   int nodes = 0;
@@ -38,6 +38,7 @@ enum class EqualBy { momentum, change, load };
 struct StepWanted {
   int tetrahedra = 10000;  // about
   int steps = 100;         // measured
+  int threads = 1;         // that share a step of the engine
   EqualBy equal_by = EqualBy::load;
   Element element = TissueScene{}.element;  // of the engine; the reference's are linear
 };

@@ -5,6 +5,7 @@
 #include <malloc.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdlib>
 #include <new>
 
@@ -13,9 +14,11 @@ namespace {
 thread_local long allocations = 0;
 thread_local long live_bytes = 0;  // without what was allocated by others and freed here
 thread_local long most_live_bytes = 0;
+std::atomic<long> allocations_of_all{0};  // of all threads
 
 inline void* counted(void* memory) {
   ++allocations;
+  ++allocations_of_all;
   live_bytes += static_cast<long>(malloc_usable_size(memory));  // 0 of none
   most_live_bytes = std::max(most_live_bytes, live_bytes);
   return memory;

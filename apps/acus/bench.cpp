@@ -67,6 +67,7 @@ int measure_steps(const BenchOptions& options) {
   if (!options.json) print_heading();
   bench::StepWanted wanted;
   wanted.steps = options.steps;
+  wanted.threads = options.threads;
   if (!options.element.empty())
     wanted.element = io::with_settings({}, {"tissue.element=" + options.element})->tissue.element;
   wanted.equal_by = options.equal == "load"     ? bench::EqualBy::load

@@ -132,8 +132,8 @@ int measure_insertions(const BenchOptions& options) {
     const Result<Scene> scene = scene_for(options, size);
     if (!scene) return refused(scene.error().sentence, bad_input);
     Progress progress("step", io::step_count(*scene), options.json);
-    const Result<bench::InsertionCost> cost =
-        bench::measure_insertion(*scene, [&](long steps) { progress.update(steps); });
+    const Result<bench::InsertionCost> cost = bench::measure_insertion(
+        *scene, [&](long steps) { progress.update(steps); }, options.threads);
     if (!cost) return refused(cost.error().sentence, run_failed);
     if (options.json)
       results.push_back(as_json(*cost, *scene));

@@ -9,6 +9,7 @@
 #include <iostream>
 #include <memory>
 
+#include "acus/base/team.h"
 #include "acus/io/spelling.h"
 #include "acus/sim/scene_keys.h"
 #include "verbs.h"
@@ -42,6 +43,15 @@ void add_settings(CLI::App& verb, std::vector<std::string>& settings) {
       ->allow_extra_args(false);
 }
 
+void add_threads(CLI::App& verb, int& threads) {
+  verb.add_option(
+          "--threads", threads,
+          "threads that share a step; it pays from 6 000 tetrahedra on and changes no bit of a result")
+      ->type_name("N")
+      ->check(CLI::Range(1, most_threads))
+      ->capture_default_str();
+}
+
 void add_output(CLI::App& verb, OutputOptions& options) {
   verb.add_option("--out", options.out,
                   "folder for trace.csv, events.csv and summary.json; without it nothing is written")
@@ -61,6 +71,7 @@ void add_run(CLI::App& program, Work& work) {
       ->required();
   add_settings(*verb, options->settings);
   add_output(*verb, options->output);
+  add_threads(*verb, options->threads);
   verb->add_option("--record", options->record, "file for a recording, which `acus replay` takes")
       ->type_name("FILE");
   verb->callback([options, verb, &work] {
@@ -122,6 +133,7 @@ void add_bench(CLI::App& program, Work& work) {
       "measure whole insertions of the default scene instead: in, through buckling and puncture, and "
       "out again");
   add_settings(*verb, options->settings);
+  add_threads(*verb, options->threads);
   verb->add_flag("--json", options->json, "print one JSON object and nothing else");
   verb->callback([options, verb, &work] {
     options->sizes_given = verb->count("--sizes") > 0;
@@ -164,6 +176,7 @@ void add_serve(CLI::App& program, Work& work) {
   verb->add_option("--port", options->port, "where it listens on this machine; 0: any that is free")
       ->check(CLI::Range(0, last_port))
       ->capture_default_str();
+  add_threads(*verb, options->threads);
   verb->add_flag("!--no-browser", options->opens_browser, "do not open a browser");
   verb->add_option("--force-limit", options->force_limit, "most force in N, where less than the device's")
       ->type_name("N")

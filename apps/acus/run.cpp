@@ -35,7 +35,7 @@ int do_run(const RunOptions& options) {
   if (const auto wrong = complaint(options.output)) return refused(*wrong, bad_input);
   const Result<Scene> scene = io::read_scene(options.scene, options.settings);
   if (!scene) return refused(scene.error().sentence, bad_input);
-  Result<Simulation> simulation = io::build_simulation(*scene);
+  Result<Simulation> simulation = io::build_simulation(*scene, options.threads);
   if (!simulation) return refused(options.scene + ": " + simulation.error().sentence, bad_input);
   Result<RunOutput> output = RunOutput::create(options.output);
   if (!output) return refused(output.error().sentence, bad_input);

@@ -48,7 +48,7 @@ struct Served {
 Result<Served> serve_pages(const Scene& scene, const ServeOptions& options) {
   if (options.record_given) return Error{"--record needs a --device; a page keeps its own recordings"};
   Served served;
-  served.engine = led_engine(scene);
+  served.engine = led_engine(scene, options.threads);
   return served;
 }
 
@@ -57,15 +57,16 @@ Result<Served> serve_device(const Scene& scene, const ServeOptions& options) {
   Result<haptics::OpenDevice> opened = haptics::open_device(options.device);
   if (!opened) return opened.error();
   const haptics::DeviceLimits& limits = opened->device->limits();
-  Result<Simulation> simulation = io::build_simulation(haptics::held_by(limits, scene));
+  Result<Simulation> simulation = io::build_simulation(haptics::held_by(limits, scene), options.threads);
   if (!simulation) return Error{options.scene + ": " + simulation.error().sentence};
   Served served;
   served.words =
       limits.title + " (" + opened->by->proof +
       ") shows the needle now; it is felt from 5 mm ahead of where the handle is when it becomes ready.\n";
-  served.engine = device_engine(
-      std::move(opened).value(), std::move(simulation).value(),
-      {options.force_limit, options.record_given ? std::optional(options.record) : std::nullopt});
+  served.engine =
+      device_engine(std::move(opened).value(), std::move(simulation).value(),
+                    {options.force_limit, options.record_given ? std::optional(options.record) : std::nullopt,
+                     options.threads});
   return served;
 }
 

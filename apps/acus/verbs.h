@@ -24,6 +24,7 @@ struct RunOptions {
   std::vector<std::string> settings;  // key=value
   std::string record;                 // file
   bool record_given = false;
+  int threads = 1;  // that share a step
   OutputOptions output;
 };
 int do_run(const RunOptions& options);
@@ -52,6 +53,7 @@ struct BenchOptions {
   std::string element;                // as tissue.element; empty: the scene's own
   bool insertion = false;             // whole ones instead of single steps
   std::vector<std::string> settings;  // key=value, of an insertion
+  int threads = 1;                    // that share a step of the engine
   bool json = false;
 };
 int do_bench(const BenchOptions& options);
@@ -70,6 +72,7 @@ struct ServeOptions {
   std::string device;         // empty: a page leads the hand
   int port = 8650;            // 0: any that is free
   bool opens_browser = true;  // where there is a desktop
+  int threads = 1;            // that share a step
   double force_limit = 0.0;   // N; 0: the device's own
   double seconds = 0.0;       // 0: until it is interrupted
   std::string record;         // file

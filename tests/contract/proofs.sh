@@ -45,6 +45,7 @@ notices includes 'add src/acus/force/a.h " # include \"acus/sim/s.h\""' 'force m
 notices includes 'add src/acus/sim/s.cpp "#include \"acus/acus.h\""' 'sim may not include acus.h'
 notices includes 'add src/acus/sim/s.cpp "#include \"../base/a.h\""' 'write the whole path'
 notices includes 'add src/acus/sim/s.cpp "#include <thread>"' 'the engine knows no thread'
+notices includes 'add src/acus/base/team.cpp "#include <mutex>"' 'the engine knows no mutex'
 notices includes 'add src/acus/sim/s.cpp "#include <sys/socket.h>"' 'the engine knows no sys/socket.h'
 notices includes 'add src/acus/base/a.h "#include <chrono>"' 'the engine knows no chrono'
 notices includes 'add src/acus/base/a.h "#include <format>"' 'libc++ 13 lacks'

@@ -31,12 +31,30 @@ class NodeVectors : public ::testing::Test {
 using Reals = ::testing::Types<double, float>;
 TYPED_TEST_SUITE(NodeVectors, Reals);
 
-constexpr std::size_t node_counts[] = {1, 2, 3, 7, 8, 9, 31};
+constexpr std::size_t node_counts[] = {1, 2, 3, 7, 8, 9, 31, 3001, 4000};  // the last two are cut into pieces
 
 TYPED_TEST(NodeVectors, dot_is_the_sum_of_products_kept_in_double) {
   for (std::size_t count : node_counts) {
     const auto a = this->padded_random(count), b = this->padded_random(count);
     EXPECT_NEAR(dot(a, b), this->dense(a).dot(this->dense(b)), 1e-14 * static_cast<double>(count));
+  }
+}
+
+TYPED_TEST(NodeVectors, threads_change_no_bits) {
+  const std::size_t count = node_counts[7];
+  const auto a = this->padded_random(count), b = this->padded_random(count);
+  for (int threads : {2, 3}) {
+    const Team team(threads);
+    EXPECT_EQ(dot(a, b, team), dot(a, b));
+    auto x = a, y = a, residual = b, other_residual = b;
+    EXPECT_EQ(advance_into(x, residual, 0.3, a, b, team), advance_into(y, other_residual, 0.3, a, b));
+    EXPECT_EQ(approach_into(x, residual, 0.7, b, a, team), approach_into(y, other_residual, 0.7, b, a));
+    add_scaled_into(x, 0.7, b, team), add_scaled_into(y, 0.7, b);
+    scale_and_add_into(x, 0.7, b, team), scale_and_add_into(y, 0.7, b);
+    EXPECT_EQ(x, y);
+    EXPECT_EQ(residual, other_residual);
+    copy_into(x, b, team);
+    EXPECT_EQ(x, b);
   }
 }
 

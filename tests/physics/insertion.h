@@ -38,10 +38,11 @@ struct Insertion {
   }
 };
 
-// Steps the scene through its hand's whole movement, or until `stop` says so or it comes to `end`.
+// Steps the scene through its hand's whole movement, or until `stop` says so or it comes to `end`; `threads`
+// share each step.
 inline Insertion insert(const Scene& scene, const std::function<bool(const Frame&)>& stop = {},
-                        Health end = Health::good) {
-  auto simulation = Simulation::build(scene);
+                        Health end = Health::good, int threads = 1) {
+  auto simulation = Simulation::build(scene, nullptr, threads);
   if (!simulation) {
     ADD_FAILURE() << simulation.error().sentence;
     return {};

@@ -1,5 +1,5 @@
-// The same scene gives the same bits: run after run, with g++ and clang, optimised or with sanitizers, and in
-// a browser (bindings/wasm/test).
+// The same scene gives the same bits: run after run, with g++ and clang, optimised or with sanitizers, with
+// any number of threads, and in a browser (bindings/wasm/test).
 #include <fstream>
 #include <map>
 
@@ -37,8 +37,32 @@ TEST(SameBits, run_after_run) {
 #endif
 
 TEST(SameBits, on_every_compiler_and_build_type) {
-  EXPECT_EQ(recorded().size(), 5U);
+  EXPECT_EQ(recorded().size(), 6U);
   for (const auto& [name, hash] : recorded()) EXPECT_EQ(hex(insert(scene(name)).hash), hash) << name;
+}
+
+// Of a mesh whose elements come in several streams.
+TEST(SameBits, for_any_number_of_threads) {
+#ifdef ACUS_SANITIZED
+  const std::vector<int> of_threads = {2};
+#else
+  const std::vector<int> of_threads = {1, 2, 4, 1, 2, 4, 1, 2, 4};
+#endif
+  const Scene large = scene("large");
+  for (const int threads : of_threads) {
+    const Insertion run = insert(large, {}, Health::good, threads);
+    EXPECT_EQ(hex(run.hash), recorded()["large"]) << threads << " threads";
+    EXPECT_TRUE(run.first(EventKind::puncture)) << "it should cut too";
+  }
+}
+
+TEST(SameBits, asks_for_a_number_of_threads_that_there_can_be) {
+  for (const int threads : {-1, 0, 65}) {
+    const auto refused = Simulation::build(Scene{}, nullptr, threads);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_EQ(refused.error().sentence,
+              "a step can be shared by 1 to 64 threads, not by " + std::to_string(threads));
+  }
 }
 
 }  // namespace

@@ -53,6 +53,23 @@ TEST_P(StepAllocation, is_none_through_contact_puncture_and_withdrawal) {
   EXPECT_TRUE(stages.contains(Stage::withdrawn));
 }
 
+// Neither by the thread that steps nor by those that share the step.
+TEST(SharedStepAllocation, is_none) {
+  Scene scene;
+  scene.tissue.tetrahedra = 17000;
+  scene.tissue.relaxation_share = 0.4;
+  scene.contact.rupture_force = 0.1;  // N
+  for (const NeedleModel needle : {NeedleModel::column, NeedleModel::rod}) {
+    scene.needle_model = needle;
+    auto simulation = Simulation::build(scene, nullptr, 2);
+    ASSERT_TRUE(simulation.ok()) << simulation.error().sentence;
+    const long before = allocations_of_all;
+    for (int step = 1; step <= 12; ++step) simulation->step(0.2e-3 * step);
+    EXPECT_EQ(allocations_of_all, before);
+    EXPECT_EQ(simulation->frame().health, Health::good);
+  }
+}
+
 TEST(HandAllocation, is_none_while_a_person_pushes_hesitates_and_pulls_back) {
   HandScene scene;
   scene.kind = HandKind::person;

@@ -155,7 +155,8 @@ class DeviceEngine final : public Engine {
   void obey(const view::Start& start) {
     const Result<Scene> scene = io::parse_scene(start.scene.toml, "scene", start.scene.settings);
     if (!scene) return say(view::refused_report(scene.error().sentence));
-    Result<Simulation> built = io::build_simulation(haptics::held_by(device_.device->limits(), *scene));
+    Result<Simulation> built =
+        io::build_simulation(haptics::held_by(device_.device->limits(), *scene), settings_.threads);
     if (!built) return say(view::refused_report(built.error().sentence));
     const std::lock_guard lock(mutex_);
     next_ = std::move(built).value();

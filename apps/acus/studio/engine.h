@@ -29,11 +29,12 @@ class Engine {
 };
 
 // Pages lead the hand.
-std::unique_ptr<Engine> led_engine(const Scene& scene);
+std::unique_ptr<Engine> led_engine(const Scene& scene, int threads = 1);
 
 struct DeviceSettings {
   double force_limit = 0.0;           // N; 0: the device's own
   std::optional<std::string> record;  // file for the first insertion; those after it are recorded beside it
+  int threads = 1;                    // that share a step
 };
 // `device` leads; pages watch, arm and disarm, and choose scenes.
 std::unique_ptr<Engine> device_engine(haptics::OpenDevice device, Simulation first,

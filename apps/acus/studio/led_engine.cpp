@@ -19,7 +19,8 @@ namespace {
 
 class LedEngine final : public Engine {
  public:
-  explicit LedEngine(const Scene& scene) : session_({"serve", std::nullopt, io::build_simulation}) {
+  LedEngine(const Scene& scene, int threads)
+      : session_({"serve", std::nullopt, io::build_simulation, threads}) {
     session_.next_report();  // hello, which the server says itself
     session_.take(nlohmann::json{{"type", "start"}, {"scene", io::scene_toml(scene)}}.dump());
   }
@@ -90,6 +91,8 @@ class LedEngine final : public Engine {
 
 }  // namespace
 
-std::unique_ptr<Engine> led_engine(const Scene& scene) { return std::make_unique<LedEngine>(scene); }
+std::unique_ptr<Engine> led_engine(const Scene& scene, int threads) {
+  return std::make_unique<LedEngine>(scene, threads);
+}
 
 }  // namespace acus::app

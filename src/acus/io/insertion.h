@@ -15,7 +15,7 @@
 namespace acus::io {
 
 // The simulation of a scene; reads tissue.mesh if the scene names one. Errors name the key or the mesh file.
-Result<Simulation> build_simulation(const Scene& scene);
+Result<Simulation> build_simulation(const Scene& scene, int threads = 1);
 
 // Number of steps that the hand's movement takes; of a person's, at most.
 int step_count(const Scene& scene);

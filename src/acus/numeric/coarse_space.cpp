@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "acus/numeric/pieces.h"
 #include "acus/numeric/simd.h"
 
 namespace acus::numeric {
@@ -57,10 +58,10 @@ void place(CoarseSpace& space, const std::array<Planes, 3>& planes, const Vec3& 
   space.weight.push_back(weights);
 }
 
-// field = P^T r
+// field = P^T r for r at a range of nodes, zero elsewhere
 template <class Real>
 ACUS_INLINE void restrict_fields(NodeVectorOf<Real>& field, const CoarseSpace& space,
-                                 const NodeVectorOf<Real>& r) {
+                                 const NodeVectorOf<Real>& r, Range range) {
   std::fill(field.begin(), field.end(), Real{});
   Real* to = field.data();
   const Real* from = r.data();
@@ -68,9 +69,9 @@ ACUS_INLINE void restrict_fields(NodeVectorOf<Real>& field, const CoarseSpace& s
   const std::array<float, 4>* weight = space.weight.data();
   // Neighbours add to the same nodes of the grid and would wait for each other, so far-off nodes take turns.
   constexpr std::size_t streams = 8;
-  const std::size_t nodes = space.corner.size(), share = (nodes + streams - 1) / streams;
-  for (std::size_t turn = 0; turn < share; ++turn)
-    for (std::size_t i = turn; i < nodes; i += share) {
+  const std::size_t share = (range.size() + streams - 1) / streams;
+  for (std::size_t turn = range.first; turn < range.first + share; ++turn)
+    for (std::size_t i = turn; i < range.last; i += share) {
       const NodeLane<Real> value = load4(from + node_stride * i);
       for (int k = 0; k < 4; ++k) {
         Real* at = to + corner[i][k];
@@ -79,20 +80,34 @@ ACUS_INLINE void restrict_fields(NodeVectorOf<Real>& field, const CoarseSpace& s
     }
 }
 
-// z += P field
-ACUS_INLINE void add_interpolated(NodeVectorOf<float>& z, const CoarseSpace& space,
-                                  const NodeVectorOf<float>& field) {
+ACUS_KERNEL void restrict_range(NodeVectorOf<float>& field, const CoarseSpace& space,
+                                const NodeVectorOf<float>& r, Range range) {
+  restrict_fields(field, space, r, range);
+}
+
+// z += P field at a range of nodes
+ACUS_KERNEL void add_interpolated(NodeVectorOf<float>& z, const CoarseSpace& space,
+                                  const NodeVectorOf<float>& field, Range range) {
   float* to = z.data();
   const float* from = field.data();
   const std::array<int, 4>* corner = space.corner.data();
   const std::array<float, 4>* weight = space.weight.data();
-  const std::size_t nodes = space.corner.size();
-  for (std::size_t i = 0; i < nodes; ++i) {
+  for (std::size_t i = range.first; i < range.last; ++i) {
     const Lane4f first =
         weight[i][0] * load4(from + corner[i][0]) + weight[i][1] * load4(from + corner[i][1]);
     const Lane4f last = weight[i][2] * load4(from + corner[i][2]) + weight[i][3] * load4(from + corner[i][3]);
     store4(to + node_stride * i, load4(to + node_stride * i) + (first + last));
   }
+}
+
+// One strip of the product of the inverse and the load.
+ACUS_KERNEL void correct_strip(CoarseScratch& s, const CoarseSpace& space, int number) {
+  constexpr int lanes = strip / lane_count<float>;
+  const float* row = space.inverse.data() + static_cast<std::size_t>(number) * strip * space.size;
+  Lane16f sum[lanes] = {};
+  for (int i = 0; i < space.size; ++i, row += strip)
+    for (int l = 0; l < lanes; ++l) sum[l] += s.load[i] * load_lanes(row + lane_count<float> * l);
+  std::memcpy(&s.correction[static_cast<std::size_t>(number) * strip], sum, sizeof sum);
 }
 
 // Gauss and Jordan's inverse in place of a symmetric positive definite matrix of n rows.
@@ -126,7 +141,7 @@ std::vector<double> grid_matrix(const CoarseSpace& space,
         if (space.corner[i][k] == row / 3 * node_stride)
           x[node_stride * i + row % 3] = static_cast<double>(space.weight[i][k]);
     multiply(y, x);
-    restrict_fields(field, space, y);
+    restrict_fields(field, space, y, {0, space.corner.size()});
     for (int j = 0; j < n; ++j)
       matrix[static_cast<std::size_t>(row) * n + j] = field[node_stride * (j / 3) + j % 3];
   }
@@ -167,28 +182,34 @@ CoarseSpace build_coarse_space(std::span<const Vec3> positions,
 
 CoarseScratch build_scratch(const CoarseSpace& space) {
   CoarseScratch s;
-  s.field.assign(static_cast<std::size_t>(space.size) / 3 * node_stride, 0.0F);
+  const NodeVectorOf<float> field(static_cast<std::size_t>(space.size) / 3 * node_stride, 0.0F);
+  s.field.assign(pieces_of(space.corner.size() * node_stride), field);
   s.load.assign(space.size, 0.0F);
   s.correction.assign((static_cast<std::size_t>(space.size) + strip - 1) / strip * strip, 0.0F);
   return s;
 }
 
-ACUS_KERNEL void add_coarse_correction_into(NodeVectorOf<float>& z, const CoarseSpace& space,
-                                            const NodeVectorOf<float>& r, CoarseScratch& s) {
-  restrict_fields(s.field, space, r);
+void add_coarse_correction_into(NodeVectorOf<float>& z, const CoarseSpace& space,
+                                const NodeVectorOf<float>& r, CoarseScratch& s, const Team& team) {
+  const std::size_t size = space.corner.size() * node_stride;
+  const auto nodes_of = [&](int piece) {
+    const Range numbers = piece_of(size, piece);
+    return Range{numbers.first / node_stride, numbers.last / node_stride};
+  };
+  const int pieces = pieces_of(size);
+  team.run(pieces, [&](int piece) { restrict_range(s.field[piece], space, r, nodes_of(piece)); });
+  NodeVectorOf<float>& field = s.field.front();
+  for (int piece = 1; piece < pieces; ++piece) add_scaled_into(field, 1.0, s.field[piece]);
   for (int i = 0; i < space.size / 3; ++i)
-    for (int c = 0; c < 3; ++c) s.load[3 * i + c] = s.field[node_stride * i + c];
-  constexpr int lanes = strip / lane_count<float>;
-  const float* row = space.inverse.data();
-  for (std::size_t first = 0; first < s.correction.size(); first += strip) {
-    Lane16f sum[lanes] = {};
-    for (int i = 0; i < space.size; ++i, row += strip)
-      for (int l = 0; l < lanes; ++l) sum[l] += s.load[i] * load_lanes(row + lane_count<float> * l);
-    std::memcpy(&s.correction[first], sum, sizeof sum);
-  }
+    for (int c = 0; c < 3; ++c) s.load[3 * i + c] = field[node_stride * i + c];
+  const int strips = static_cast<int>(s.correction.size()) / strip;
+  if (pieces == 1)  // not worth the handing out
+    for (int k = 0; k < strips; ++k) correct_strip(s, space, k);
+  else
+    team.run(strips, [&](int k) { correct_strip(s, space, k); });
   for (int i = 0; i < space.size / 3; ++i)
-    for (int c = 0; c < 3; ++c) s.field[node_stride * i + c] = s.correction[3 * i + c];
-  add_interpolated(z, space, s.field);
+    for (int c = 0; c < 3; ++c) field[node_stride * i + c] = s.correction[3 * i + c];
+  team.run(pieces, [&](int piece) { add_interpolated(z, space, field, nodes_of(piece)); });
 }
 
 }  // namespace acus::numeric

@@ -24,7 +24,8 @@ struct CoarseSpace {
   std::vector<float> inverse;                // (P^T A P)^-1, in strips of columns; see the source
 };
 struct CoarseScratch {
-  NodeVectorOf<float> field;            // one padded vector per node of the grid
+  // [pieces of the nodes] one padded vector per node of the grid; the first is that of the whole
+  std::vector<NodeVectorOf<float>> field;
   std::vector<float> load, correction;  // the same without padding
 };
 
@@ -37,6 +38,7 @@ CoarseScratch build_scratch(const CoarseSpace& space);
 
 // z += P (P^T A P)^-1 P^T r
 void add_coarse_correction_into(NodeVectorOf<float>& z, const CoarseSpace& space,
-                                const NodeVectorOf<float>& r, CoarseScratch& scratch);
+                                const NodeVectorOf<float>& r, CoarseScratch& scratch,
+                                const Team& team = one_thread);
 
 }  // namespace acus::numeric

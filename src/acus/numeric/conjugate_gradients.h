@@ -35,31 +35,33 @@ struct SolveOutcome {
 // operator.
 template <class Real, class Multiply, class Precondition>
 SolveOutcome improve_into(NodeVectorOf<Real>& x, double target, int max_iterations, SolveScratch<Real>& s,
-                          const Multiply& multiply, const Precondition& precondition) {
+                          const Multiply& multiply, const Precondition& precondition,
+                          const Team& team = one_thread) {
   SolveOutcome outcome;
   const double target_squared = target * target;
-  double least = dot(s.residual, s.residual);
+  double least = dot(s.residual, s.residual, team);
   double rz_before = 0.0;
-  s.iterate = x;
-  s.iterate_residual = s.residual;
+  copy_into(s.iterate, x, team);
+  copy_into(s.iterate_residual, s.residual, team);
   while (least > target_squared && outcome.iterations < max_iterations) {
     precondition(s.preconditioned, s.iterate_residual);
-    const double rz = dot(s.iterate_residual, s.preconditioned);
+    const double rz = dot(s.iterate_residual, s.preconditioned, team);
     if (outcome.iterations == 0)
-      s.direction = s.preconditioned;
+      copy_into(s.direction, s.preconditioned, team);
     else
-      scale_and_add_into(s.direction, rz / rz_before, s.preconditioned);
+      scale_and_add_into(s.direction, rz / rz_before, s.preconditioned, team);
     rz_before = rz;
     multiply(s.product, s.direction);
-    const double curvature = dot(s.direction, s.product);
+    const double curvature = dot(s.direction, s.product, team);
     if (!(curvature > 0.0)) break;
-    const double rr = advance_into(s.iterate, s.iterate_residual, rz / curvature, s.direction, s.product);
+    const double rr =
+        advance_into(s.iterate, s.iterate_residual, rz / curvature, s.direction, s.product, team);
     ++outcome.iterations;
     // The share of the iterate at which the mean residual is least.
-    const double mixed = dot(s.residual, s.iterate_residual);
+    const double mixed = dot(s.residual, s.iterate_residual, team);
     const double apart = rr - 2.0 * mixed + least;  // square of the distance of the two residuals
     if (!(apart > 0.0)) break;
-    least = approach_into(x, s.residual, (least - mixed) / apart, s.iterate, s.iterate_residual);
+    least = approach_into(x, s.residual, (least - mixed) / apart, s.iterate, s.iterate_residual, team);
   }
   outcome.residual_norm = std::sqrt(least);
   outcome.broke_down = !(least <= target_squared) && outcome.iterations < max_iterations;
@@ -69,11 +71,12 @@ SolveOutcome improve_into(NodeVectorOf<Real>& x, double target, int max_iteratio
 // Solves A x = b from the start value in x.
 template <class Real, class Multiply, class Precondition>
 SolveOutcome solve_into(NodeVectorOf<Real>& x, const NodeVectorOf<Real>& b, double target, int max_iterations,
-                        SolveScratch<Real>& s, const Multiply& multiply, const Precondition& precondition) {
+                        SolveScratch<Real>& s, const Multiply& multiply, const Precondition& precondition,
+                        const Team& team = one_thread) {
   multiply(s.product, x);
-  s.residual = b;
-  add_scaled_into(s.residual, -1.0, s.product);
-  return improve_into(x, target, max_iterations, s, multiply, precondition);
+  copy_into(s.residual, b, team);
+  add_scaled_into(s.residual, -1.0, s.product, team);
+  return improve_into(x, target, max_iterations, s, multiply, precondition, team);
 }
 
 }  // namespace acus::numeric

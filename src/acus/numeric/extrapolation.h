@@ -19,8 +19,8 @@ struct Extrapolation {
 Extrapolation build_extrapolation(int nodes);
 
 // x += the differences up to the order: from the last value to the next.
-void extrapolate(NodeVector& x, const Extrapolation& e);
+void extrapolate(NodeVector& x, const Extrapolation& e, const Team& team = one_thread);
 // The next value has become known; `last` is the one before it.
-void learn(Extrapolation& e, const NodeVector& value, const NodeVector& last);
+void learn(Extrapolation& e, const NodeVector& value, const NodeVector& last, const Team& team = one_thread);
 
 }  // namespace acus::numeric

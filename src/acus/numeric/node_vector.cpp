@@ -1,7 +1,9 @@
 #include "acus/numeric/node_vector.h"
 
+#include <algorithm>
 #include <cassert>
 
+#include "acus/numeric/pieces.h"
 #include "acus/numeric/simd.h"
 
 namespace acus::numeric {
@@ -71,7 +73,8 @@ ACUS_INLINE double approach_both(std::span<Real> x, std::span<Real> residual, do
   return sum_of_products(std::span<const Real>(residual), std::span<const Real>(residual));
 }
 
-}  // namespace
+// Compiled clone by clone: what is handed to a team is not.
+namespace piece {
 
 ACUS_KERNEL double dot(std::span<const double> a, std::span<const double> b) { return sum_of_products(a, b); }
 ACUS_KERNEL double dot(std::span<const float> a, std::span<const float> b) { return sum_of_products(a, b); }
@@ -98,7 +101,6 @@ ACUS_KERNEL void scale_into(std::span<float> y, double factor, std::span<const d
   const double* px = x.data();
   for (std::size_t i = 0; i < y.size(); ++i) py[i] = static_cast<float>(factor * px[i]);
 }
-
 ACUS_KERNEL void scale_into(std::span<double> y, double factor, std::span<const float> x) {
   double* py = y.data();
   const float* px = x.data();
@@ -133,6 +135,92 @@ ACUS_KERNEL double approach_into(std::span<double> x, std::span<double> residual
 ACUS_KERNEL double approach_into(std::span<float> x, std::span<float> residual, double share,
                                  std::span<const float> other, std::span<const float> other_residual) {
   return approach_both(x, residual, share, other, other_residual);
+}
+
+}  // namespace piece
+
+template <class Real>
+void copy(std::span<Real> y, std::span<const Real> x) {
+  std::copy(x.begin(), x.end(), y.begin());
+}
+
+template <class Real>
+std::span<Real> cut(std::span<Real> v, Range r) {
+  return v.subspan(r.first, r.size());
+}
+
+}  // namespace
+
+double dot(std::span<const double> a, std::span<const double> b, const Team& team) {
+  return sum_of_pieces(a.size(), team, [&](Range r) { return piece::dot(cut(a, r), cut(b, r)); });
+}
+double dot(std::span<const float> a, std::span<const float> b, const Team& team) {
+  return sum_of_pieces(a.size(), team, [&](Range r) { return piece::dot(cut(a, r), cut(b, r)); });
+}
+
+void copy_into(std::span<double> y, std::span<const double> x, const Team& team) {
+  each_piece(y.size(), team, [&](Range r) { copy(cut(y, r), cut(x, r)); });
+}
+void copy_into(std::span<float> y, std::span<const float> x, const Team& team) {
+  each_piece(y.size(), team, [&](Range r) { copy(cut(y, r), cut(x, r)); });
+}
+
+void add_scaled_into(std::span<double> y, double factor, std::span<const double> x, const Team& team) {
+  each_piece(y.size(), team, [&](Range r) { piece::add_scaled_into(cut(y, r), factor, cut(x, r)); });
+}
+void add_scaled_into(std::span<float> y, double factor, std::span<const float> x, const Team& team) {
+  each_piece(y.size(), team, [&](Range r) { piece::add_scaled_into(cut(y, r), factor, cut(x, r)); });
+}
+void add_scaled_into(std::span<double> y, double factor, std::span<const float> x, const Team& team) {
+  each_piece(y.size(), team, [&](Range r) { piece::add_scaled_into(cut(y, r), factor, cut(x, r)); });
+}
+
+void scale_and_add_into(std::span<double> y, double factor, std::span<const double> x, const Team& team) {
+  each_piece(y.size(), team, [&](Range r) { piece::scale_and_add_into(cut(y, r), factor, cut(x, r)); });
+}
+void scale_and_add_into(std::span<float> y, double factor, std::span<const float> x, const Team& team) {
+  each_piece(y.size(), team, [&](Range r) { piece::scale_and_add_into(cut(y, r), factor, cut(x, r)); });
+}
+
+void scale_into(std::span<float> y, double factor, std::span<const double> x, const Team& team) {
+  each_piece(y.size(), team, [&](Range r) { piece::scale_into(cut(y, r), factor, cut(x, r)); });
+}
+void scale_into(std::span<double> y, double factor, std::span<const float> x, const Team& team) {
+  each_piece(y.size(), team, [&](Range r) { piece::scale_into(cut(y, r), factor, cut(x, r)); });
+}
+
+void multiply_blocks_into(std::span<float> y, std::span<const float> block, std::span<const float> x,
+                          const Team& team) {
+  each_piece(x.size(), team, [&](Range r) {
+    piece::multiply_blocks_into(cut(y, r), cut(block, {3 * r.first, 3 * r.last}), cut(x, r));
+  });
+}
+
+double advance_into(std::span<double> x, std::span<double> residual, double step,
+                    std::span<const double> direction, std::span<const double> product, const Team& team) {
+  return sum_of_pieces(x.size(), team, [&](Range r) {
+    return piece::advance_into(cut(x, r), cut(residual, r), step, cut(direction, r), cut(product, r));
+  });
+}
+double advance_into(std::span<float> x, std::span<float> residual, double step,
+                    std::span<const float> direction, std::span<const float> product, const Team& team) {
+  return sum_of_pieces(x.size(), team, [&](Range r) {
+    return piece::advance_into(cut(x, r), cut(residual, r), step, cut(direction, r), cut(product, r));
+  });
+}
+
+double approach_into(std::span<double> x, std::span<double> residual, double share,
+                     std::span<const double> other, std::span<const double> other_residual,
+                     const Team& team) {
+  return sum_of_pieces(x.size(), team, [&](Range r) {
+    return piece::approach_into(cut(x, r), cut(residual, r), share, cut(other, r), cut(other_residual, r));
+  });
+}
+double approach_into(std::span<float> x, std::span<float> residual, double share,
+                     std::span<const float> other, std::span<const float> other_residual, const Team& team) {
+  return sum_of_pieces(x.size(), team, [&](Range r) {
+    return piece::approach_into(cut(x, r), cut(residual, r), share, cut(other, r), cut(other_residual, r));
+  });
 }
 
 }  // namespace acus::numeric

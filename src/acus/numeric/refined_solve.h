@@ -30,32 +30,32 @@ struct RefinedScratch {
 template <class Multiply, class Precondition>
 SolveOutcome improve_refined_into(NodeVector& x, NodeVector& residual, double target, int max_iterations,
                                   RefinedScratch& s, const Multiply& multiply,
-                                  const Precondition& precondition) {
+                                  const Precondition& precondition, const Team& team = one_thread) {
   constexpr double largest_fall = 1e-5;  // of the residual in one round: beyond it floats drown in rounding
   constexpr double trusted_fall = 1e-3;  // down to here rounding stays within the margin: no check
   constexpr double margin = 0.95;        // for the rounding of a round
   SolveOutcome outcome;
   while (true) {
-    const double norm = std::sqrt(dot(residual, residual));
+    const double norm = std::sqrt(dot(residual, residual, team));
     outcome.residual_norm = norm;
     outcome.broke_down = outcome.broke_down || !std::isfinite(norm);
     if (norm <= target || outcome.iterations >= max_iterations || outcome.broke_down) return outcome;
 
     // To a norm of 1, so that nothing falls below the smallest float.
-    scale_into(s.single.residual, 1.0 / norm, residual);
+    scale_into(s.single.residual, 1.0 / norm, residual, team);
     std::fill(s.correction.begin(), s.correction.end(), 0.0F);
     const double fall = std::max(margin * target / norm, largest_fall);
     const SolveOutcome round = improve_into(s.correction, fall, max_iterations - outcome.iterations, s.single,
-                                            multiply, precondition);
+                                            multiply, precondition, team);
     outcome.iterations += round.iterations;
     outcome.broke_down = round.broke_down;
-    add_scaled_into(x, norm, s.correction);
+    add_scaled_into(x, norm, s.correction, team);
     if (fall >= trusted_fall) {
-      scale_into(residual, norm, s.single.residual);
+      scale_into(residual, norm, s.single.residual, team);
     } else {
-      scale_into(s.step, norm, s.correction);
+      scale_into(s.step, norm, s.correction, team);
       multiply(s.product, s.step);
-      add_scaled_into(residual, -1.0, s.product);
+      add_scaled_into(residual, -1.0, s.product, team);
     }
   }
 }
@@ -64,16 +64,19 @@ SolveOutcome improve_refined_into(NodeVector& x, NodeVector& residual, double ta
 template <class Multiply, class Precondition>
 SolveOutcome improve_in_double_into(NodeVector& x, NodeVector& residual, double target, int max_iterations,
                                     SolveScratch<double>& s, SolveScratch<float>& single,
-                                    const Multiply& multiply, const Precondition& precondition) {
-  s.residual = residual;
-  const SolveOutcome outcome =
-      improve_into(x, target, max_iterations, s, multiply, [&](NodeVector& z, const NodeVector& r) {
-        const double norm = std::sqrt(dot(r, r));  // so that nothing falls below the smallest float
-        scale_into(single.residual, norm > 0.0 ? 1.0 / norm : 1.0, r);
+                                    const Multiply& multiply, const Precondition& precondition,
+                                    const Team& team = one_thread) {
+  copy_into(s.residual, residual, team);
+  const SolveOutcome outcome = improve_into(
+      x, target, max_iterations, s, multiply,
+      [&](NodeVector& z, const NodeVector& r) {
+        const double norm = std::sqrt(dot(r, r, team));  // so that nothing falls below the smallest float
+        scale_into(single.residual, norm > 0.0 ? 1.0 / norm : 1.0, r, team);
         precondition(single.preconditioned, single.residual);
-        scale_into(z, norm, single.preconditioned);
-      });
-  residual = s.residual;
+        scale_into(z, norm, single.preconditioned, team);
+      },
+      team);
+  copy_into(residual, s.residual, team);
   return outcome;
 }
 

@@ -37,7 +37,7 @@ struct Product {
   const Scratch& w;
   template <class Real>
   void operator()(numeric::NodeVectorOf<Real>& y, const numeric::NodeVectorOf<Real>& x) const {
-    tissue::multiply_into(y, m.tissue, w.corotation, w.matrix, x);
+    tissue::multiply_into(y, m.tissue, w.corotation, w.matrix, x, w.team);
     add_sticks(y, m, w, x);
   }
 };
@@ -45,14 +45,14 @@ struct Product {
 // Single precision will do for y, which carries small corrections only; what it leaves a pass checks.
 numeric::SolveOutcome solve_influence(numeric::NodeVectorOf<float>& y, const Model& m, Scratch& w,
                                       double tolerance) {
-  const double norm = std::sqrt(numeric::dot(w.stick_load, w.stick_load));
+  const double norm = std::sqrt(numeric::dot(w.stick_load, w.stick_load, w.team));
   if (norm == 0.0) {  // everything slips: the tissue does not feel the needle's rate
     std::fill(y.begin(), y.end(), 0.0F);
     std::fill(w.solver.single.residual.begin(), w.solver.single.residual.end(), 0.0F);
     return {};
   }
   return numeric::solve_into(y, w.stick_load, tolerance * norm, max_iterations, w.solver.single,
-                             Product{m, w}, preconditioner(m, w));
+                             Product{m, w}, preconditioner(m, w), w.team);
 }
 
 // What the held points do to the needle, as a function of its rate w about `guess`:
@@ -134,20 +134,20 @@ void load_sticks(const Model& m, Scratch& w) {
 // own equation.
 numeric::SolveOutcome solve_tissue(const Model& m, State& s, Scratch& w, double rate, double exactness,
                                    double& target, const StepProbe& probe) {
-  w.right_hand_side = w.momentum;
+  numeric::copy_into(w.right_hand_side, w.momentum, w.team);
   add_held(w.right_hand_side, m, w, rate, 1.0);
   double load = 0.0;
   for (const HeldPoint& p : w.held)
     load +=
         std::abs(coupling::advance(p.slider, m.scene.run.time_step * (rate - tissue_rate(m, s, p))).force);
   target = exactness * residual_target(m, w, load);
-  w.residual = w.imbalance;
+  numeric::copy_into(w.residual, w.imbalance, w.team);
   add_held(w.residual, m, w, rate, 1.0);
   add_sticks(w.residual, m, w, s.velocity, -1.0);
   probe(StepPart::coupling);
   const numeric::SolveOutcome outcome = improve_velocity(m, s, w, target, Product{m, w});
   probe(StepPart::solve);
-  w.imbalance = w.residual;
+  numeric::copy_into(w.imbalance, w.residual, w.team);
   add_held(w.imbalance, m, w, rate, -1.0);
   add_sticks(w.imbalance, m, w, s.velocity);
   return outcome;
@@ -156,11 +156,11 @@ numeric::SolveOutcome solve_tissue(const Model& m, State& s, Scratch& w, double 
 // Lets the tissue follow a change of the needle's rate by its answer y. What is left of y's equation stands
 // in `solver`: A y = loads - sticks - that.
 void follow(const Model& m, State& s, Scratch& w, double change) {
-  numeric::add_scaled_into(s.velocity, change, s.influence);
+  numeric::add_scaled_into(s.velocity, change, s.influence, w.team);
   numeric::NodeVectorOf<float>& product = w.solver.single.residual;
-  numeric::scale_and_add_into(product, -1.0, w.stick_load);
+  numeric::scale_and_add_into(product, -1.0, w.stick_load, w.team);
   add_sticks(product, m, w, s.influence, -1.0);
-  numeric::add_scaled_into(w.imbalance, -change, product);
+  numeric::add_scaled_into(w.imbalance, -change, product, w.team);
 }
 
 // How far to go from (velocity_tried, rate_before) towards (velocity, rate): the root in (0, 1] of the
@@ -173,10 +173,10 @@ double line_search(const Model& m, const State& s, Scratch& w, double hand_trave
     p.rate_change = tissue_rate(m, s, p) - p.rate_before;
   }
   NodeVector& change = w.right_hand_side;
-  change = s.velocity;
-  numeric::add_scaled_into(change, -1.0, w.velocity_tried);
-  const double slope_at_start = -numeric::dot(change, w.imbalance_tried);
-  const double curvature = -slope_at_start - numeric::dot(change, w.imbalance);
+  numeric::copy_into(change, s.velocity, w.team);
+  numeric::add_scaled_into(change, -1.0, w.velocity_tried, w.team);
+  const double slope_at_start = -numeric::dot(change, w.imbalance_tried, w.team);
+  const double curvature = -slope_at_start - numeric::dot(change, w.imbalance, w.team);
   const double rate_change = rate - rate_before;
   const auto slope = [&](double t) {
     const double r = rate_before + t * rate_change;
@@ -212,7 +212,7 @@ double resistance(const Model& m, Scratch& w) {
   double all_stick = 0.0;
   for (const HeldPoint& p : w.held) all_stick += coupling::force_on(p.slider, p.grip).rate * h;
   const double followed =
-      numeric::dot(w.stick_load, w.answer) + numeric::dot(w.solver.single.residual, w.answer);
+      numeric::dot(w.stick_load, w.answer, w.team) + numeric::dot(w.solver.single.residual, w.answer, w.team);
   return std::max(all_stick - followed / h, 0.0);
 }
 
@@ -223,8 +223,8 @@ CoupledOutcome solve_coupled(const Model& m, State& s, Scratch& w, double hand_t
   correct_grips(m, s, w, rate);
   double influence_tolerance = 0.1, exactness = 1.0;
   for (int pass = 0; pass < max_passes; ++pass) {
-    w.velocity_tried = s.velocity;
-    w.imbalance_tried = w.imbalance;
+    numeric::copy_into(w.velocity_tried, s.velocity, w.team);
+    numeric::copy_into(w.imbalance_tried, w.imbalance, w.team);
     // Points on the verge of slipping change for ever on solutions that are too rough to tell.
     if (pass >= easy_passes) exactness *= 0.1;
     double target = 0.0;
@@ -252,10 +252,10 @@ CoupledOutcome solve_coupled(const Model& m, State& s, Scratch& w, double hand_t
     if (correct_grips(m, s, w, rate)) {
       const double t = line_search(m, s, w, hand_travel, free_length, configurational_force, guess, rate);
       if (t < 1.0) {
-        numeric::scale_and_add_into(s.velocity, t, w.velocity_tried);
-        numeric::add_scaled_into(s.velocity, -t, w.velocity_tried);
-        numeric::scale_and_add_into(w.imbalance, t, w.imbalance_tried);
-        numeric::add_scaled_into(w.imbalance, -t, w.imbalance_tried);
+        numeric::scale_and_add_into(s.velocity, t, w.velocity_tried, w.team);
+        numeric::add_scaled_into(s.velocity, -t, w.velocity_tried, w.team);
+        numeric::scale_and_add_into(w.imbalance, t, w.imbalance_tried, w.team);
+        numeric::add_scaled_into(w.imbalance, -t, w.imbalance_tried, w.team);
         rate = guess + t * (rate - guess);
         correct_grips(m, s, w, rate);
       }

@@ -138,7 +138,7 @@ struct Product {
   Scratch& w;
   template <class Real>
   void operator()(numeric::NodeVectorOf<Real>& y, const numeric::NodeVectorOf<Real>& x) const {
-    tissue::multiply_into(y, m.tissue, w.corotation, w.matrix, x);
+    tissue::multiply_into(y, m.tissue, w.corotation, w.matrix, x, w.team);
     add_rod(y, x, 1.0);
   }
   template <class Real>
@@ -189,10 +189,10 @@ double line_search(const Model& m, State& s, Scratch& w, const needle::Pose& hub
   double tissue_slope = 0.0, tissue_curvature = 0.0;
   if (!m.rigid()) {
     NodeVector& change = w.right_hand_side;
-    change = s.velocity;
-    numeric::add_scaled_into(change, -1.0, w.velocity_tried);
-    tissue_slope = -numeric::dot(change, w.imbalance_tried);
-    tissue_curvature = -tissue_slope - numeric::dot(change, w.imbalance);
+    numeric::copy_into(change, s.velocity, w.team);
+    numeric::add_scaled_into(change, -1.0, w.velocity_tried, w.team);
+    tissue_slope = -numeric::dot(change, w.imbalance_tried, w.team);
+    tissue_curvature = -tissue_slope - numeric::dot(change, w.imbalance, w.team);
   }
   const auto slope = [&](double share) {
     go_part_of_the_way(m, s, w, share);
@@ -219,24 +219,24 @@ bool improve(const Model& m, State& s, Scratch& w, RodOutcome& outcome, const St
     w.rod.free_answer = motion.residual;
     motion.matrix.solve(w.rod.free_answer.data());
     probe(StepPart::rod);
-    w.right_hand_side = w.momentum;
+    numeric::copy_into(w.right_hand_side, w.momentum, w.team);
     add_contacts(w.right_hand_side, m, s, w, 1.0);
     double load = 0.0;
     for (const RodContact& c : w.rod.contacts)
       load += contact_load(c, m.scene.run.time_step * (at_contact(s.needle.rod.rate, c) - tissue_rate(s, c)))
                   .norm();
     const Product product{m, w};
-    w.residual = w.imbalance;
+    numeric::copy_into(w.residual, w.imbalance, w.team);
     add_contacts(w.residual, m, s, w, 1.0);
     product.add_rod(w.residual, s.velocity, -1.0);
     probe(StepPart::coupling);
     const double target = residual_target(m, w, load);
-    const double start = std::sqrt(numeric::dot(w.residual, w.residual));
+    const double start = std::sqrt(numeric::dot(w.residual, w.residual, w.team));
     const numeric::SolveOutcome solve =
         improve_velocity(m, s, w, start > far * target ? forcing * start : target, product);
     outcome.tissue_solved = solve.residual_norm <= target;
     probe(StepPart::solve);
-    w.imbalance = w.residual;
+    numeric::copy_into(w.imbalance, w.residual, w.team);
     add_contacts(w.imbalance, m, s, w, -1.0);
     product.add_rod(w.imbalance, s.velocity, 1.0);
     probe(StepPart::coupling);
@@ -286,8 +286,8 @@ RodOutcome solve_with_rod(const Model& m, State& s, Scratch& w, const needle::Po
                             left > 4.0 * force_error && left < slight_force;
     if (settled) left_before = left;
     if (!m.rigid()) {
-      w.velocity_tried = s.velocity;
-      w.imbalance_tried = w.imbalance;
+      numeric::copy_into(w.velocity_tried, s.velocity, w.team);
+      numeric::copy_into(w.imbalance_tried, w.imbalance, w.team);
     }
     w.rod.before = s.needle.rod;
     probe(StepPart::coupling);
@@ -302,10 +302,10 @@ RodOutcome solve_with_rod(const Model& m, State& s, Scratch& w, const needle::Po
     const double share = giving_way ? stride : line_search(m, s, w, hub);
     go_part_of_the_way(m, s, w, share);
     if (!m.rigid() && share != 1.0) {
-      numeric::scale_and_add_into(s.velocity, share, w.velocity_tried);
-      numeric::add_scaled_into(s.velocity, -share, w.velocity_tried);
-      numeric::scale_and_add_into(w.imbalance, share, w.imbalance_tried);
-      numeric::add_scaled_into(w.imbalance, -share, w.imbalance_tried);
+      numeric::scale_and_add_into(s.velocity, share, w.velocity_tried, w.team);
+      numeric::add_scaled_into(s.velocity, -share, w.velocity_tried, w.team);
+      numeric::scale_and_add_into(w.imbalance, share, w.imbalance_tried, w.team);
+      numeric::add_scaled_into(w.imbalance, -share, w.imbalance_tried, w.team);
     }
     correct_grips(m, s, w);
     probe(StepPart::coupling);
@@ -338,10 +338,10 @@ double hub_stiffness(const Model& m, const State& s, Scratch& w) {
       coupling::add_spread(w.stick_load, *c.at, h * h * c.stiffness * at_contact(answer, c));
     add_at(answer, 0, -along);
     constexpr double tolerance = 1e-4;
-    const double norm = std::sqrt(numeric::dot(w.stick_load, w.stick_load));
+    const double norm = std::sqrt(numeric::dot(w.stick_load, w.stick_load, w.team));
     const numeric::SolveOutcome outcome =
         numeric::solve_into(w.answer, w.stick_load, tolerance * norm, max_iterations, w.solver.single,
-                            Product{m, w}, preconditioner(m, w));
+                            Product{m, w}, preconditioner(m, w), w.team);
     if (outcome.broke_down || outcome.iterations >= max_iterations) return 0.0;
     std::vector<double>& more = w.rod.load;
     std::fill(more.begin(), more.end(), 0.0);

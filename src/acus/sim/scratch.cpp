@@ -2,7 +2,7 @@
 
 namespace acus {
 
-Scratch build_scratch(const Model& m) {
+Scratch build_scratch(const Model& m, int threads) {
   Scratch w;
   if (m.scene.needle_model == NeedleModel::rod) {
     w.rod.motion = needle::build_rod_motion(m.rod);
@@ -12,6 +12,7 @@ Scratch build_scratch(const Model& m) {
     w.rod.before = needle::unloaded_rod(m.rod, {});
   }
   if (m.rigid()) return w;
+  w.team = Team(threads);
   w.corotation = tissue::build_corotation(m.tissue);
   w.matrix = tissue::build_system_matrix(m.tissue);
   tissue::set_factors(w.matrix, m.tissue, m.factors.mass, m.factors.stiffness);

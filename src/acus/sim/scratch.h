@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "acus/base/team.h"
 #include "acus/coupling/slider.h"
 #include "acus/needle/rod_motion.h"
 #include "acus/numeric/refined_solve.h"
@@ -48,6 +49,7 @@ struct RodScratch {
 };
 
 struct Scratch {
+  Team team;                      // who does the work of a step
   tissue::Corotation corotation;  // at the present positions
   tissue::SystemMatrix matrix;    // at the positions of `corotation`
   numeric::RefinedScratch solver;
@@ -67,6 +69,6 @@ struct Scratch {
   std::vector<HeldPoint> held;          // of a column: the tip first
   RodScratch rod;                       // of a rod
 };
-Scratch build_scratch(const Model& model);
+Scratch build_scratch(const Model& model, int threads = 1);
 
 }  // namespace acus

@@ -56,13 +56,16 @@ Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 Simulation::~Simulation() = default;
 
-Result<Simulation> Simulation::build(const Scene& scene, const mesh::TetMesh* mesh) {
+Result<Simulation> Simulation::build(const Scene& scene, const mesh::TetMesh* mesh, int threads) {
+  if (threads < 1 || threads > most_threads)
+    return Error{"a step can be shared by 1 to " + std::to_string(most_threads) + " threads, not by " +
+                 std::to_string(threads)};
   auto model = build_model(scene, mesh);
   if (!model) return model.error();
   auto parts = std::make_unique<Parts>();
   parts->model = std::move(*model);
   parts->state = initial_state(parts->model);
-  parts->scratch = build_scratch(parts->model);
+  parts->scratch = build_scratch(parts->model, threads);
   if (!parts->model.rigid())
     tissue::corotate_into(parts->scratch.corotation, parts->model.tissue, parts->state.position);
   parts->frame.hand_travel = parts->frame.tip_depth = parts->state.hub_travel;

@@ -1,4 +1,4 @@
-// Simulation: one insertion, advanced a step at a time. No threads, no files.
+// Simulation: one insertion, advanced a step at a time. No files.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,9 @@ namespace acus {
 class Simulation {
  public:
   // Builds the model of a scene; `mesh` is the mesh of scene.tissue.mesh in metres (null for a block or
-  // rigid). Allocates everything a step will need.
-  static Result<Simulation> build(const Scene& scene, const mesh::TetMesh* mesh = nullptr);
+  // rigid). Allocates everything a step will need, and starts all but one of the `threads` that share a step
+  // of a large mesh: 1 to most_threads, which is no part of a scene because it changes no bit of a result.
+  static Result<Simulation> build(const Scene& scene, const mesh::TetMesh* mesh = nullptr, int threads = 1);
 
   // Advances one time step; the hand ends it at `hand_travel` [m], and so does the hub unless the scene's
   // grip gives way. Allocates nothing.

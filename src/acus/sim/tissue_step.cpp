@@ -12,41 +12,43 @@ namespace {
 void multiply_as_exactly(numeric::NodeVector& y, const Model& m, Scratch& w, const numeric::NodeVector& x) {
   constexpr double floats_will_do = 1e-7;  // of the load
   if (m.scene.run.solver_tolerance < floats_will_do || m.scene.run.solver_precision == Precision::double_)
-    return tissue::multiply_into(y, m.tissue, w.corotation, w.matrix, x);
+    return tissue::multiply_into(y, m.tissue, w.corotation, w.matrix, x, w.team);
   numeric::NodeVectorOf<float>&single = w.solver.single.direction, &product = w.solver.single.product;
-  numeric::scale_into(single, 1.0, x);
-  tissue::multiply_into(product, m.tissue, w.corotation, w.matrix, single);
-  numeric::scale_into(y, 1.0, product);
+  numeric::scale_into(single, 1.0, x, w.team);
+  tissue::multiply_into(product, m.tissue, w.corotation, w.matrix, single, w.team);
+  numeric::scale_into(y, 1.0, product, w.team);
 }
 
 }  // namespace
 
 void assemble_tissue(const Model& m, const State& s, Scratch& w) {
-  tissue::momentum_into(w.momentum, m.tissue, s.velocity, w.corotation.elastic_force, m.scene.run.time_step);
+  tissue::momentum_into(w.momentum, m.tissue, s.velocity, w.corotation.elastic_force, m.scene.run.time_step,
+                        w.team);
 }
 
 void begin_tissue(const Model& m, State& s, Scratch& w) {
-  w.velocity_before = s.velocity;
-  numeric::extrapolate(s.velocity, s.extrapolation);
+  numeric::copy_into(w.velocity_before, s.velocity, w.team);
+  numeric::extrapolate(s.velocity, s.extrapolation, w.team);
   multiply_as_exactly(w.imbalance, m, w, s.velocity);
-  numeric::scale_and_add_into(w.imbalance, -1.0, w.momentum);
+  numeric::scale_and_add_into(w.imbalance, -1.0, w.momentum, w.team);
 }
 
 double residual_target(const Model& m, const Scratch& w, double load) {
   constexpr double least_load = 1e-3;  // N: what nobody feels. Without it tissue at rest is solved to nothing
-  const double momentum = std::sqrt(numeric::dot(w.right_hand_side, w.right_hand_side));
+  const double momentum = std::sqrt(numeric::dot(w.right_hand_side, w.right_hand_side, w.team));
   return m.scene.run.solver_tolerance * (momentum + m.scene.run.time_step * std::max(load, least_load));
 }
 
 void move_tissue(const Model& m, State& s, Scratch& w, TissueBefore& before, const StepProbe& probe) {
   const double h = m.scene.run.time_step;
-  numeric::learn(s.extrapolation, s.velocity, w.velocity_before);
+  numeric::learn(s.extrapolation, s.velocity, w.velocity_before, w.team);
   before.elastic_work =
-      h * numeric::dot(std::span(w.corotation.elastic_force).first(s.velocity.size()), s.velocity);
-  before.matrix_product = numeric::dot(s.velocity, w.momentum) - numeric::dot(s.velocity, w.imbalance);
+      h * numeric::dot(std::span(w.corotation.elastic_force).first(s.velocity.size()), s.velocity, w.team);
+  before.matrix_product =
+      numeric::dot(s.velocity, w.momentum, w.team) - numeric::dot(s.velocity, w.imbalance, w.team);
   probe(StepPart::ledger);
-  tissue::move(s.position, s.velocity, h);
-  tissue::corotate_into(w.corotation, s.branch, m.tissue, s.position);
+  tissue::move(s.position, s.velocity, h, w.team);
+  tissue::corotate_into(w.corotation, s.branch, m.tissue, s.position, w.team);
   probe(StepPart::rotation);
 }
 
@@ -56,11 +58,11 @@ void move_tissue(const Model& m, State& s, Scratch& w, TissueBefore& before, con
 // / 2, and what the new rotations change is booked too.
 void account_tissue(const Model& m, State& s, const Scratch& w, const TissueBefore& before) {
   const double h = m.scene.run.time_step;
-  const double vmv = tissue::mass_product(m.tissue, s.velocity);
+  const double vmv = tissue::mass_product(m.tissue, s.velocity, w.team);
   const double vkv = (before.matrix_product - m.factors.mass * vmv) / m.factors.stiffness;
   const double frozen_energy = before.energy - before.elastic_work + 0.5 * h * h * vkv;
   s.ledger.work_damping += h * (m.damping.mass * vmv + m.damping.stiffness * vkv);
-  s.ledger.work_numerical += 0.5 * tissue::mass_product(m.tissue, s.extrapolation.difference[0]) +
+  s.ledger.work_numerical += 0.5 * tissue::mass_product(m.tissue, s.extrapolation.difference[0], w.team) +
                              0.5 * h * h * vkv + (frozen_energy - w.corotation.energy) - w.corotation.relaxed;
   s.ledger.work_relaxation += w.corotation.relaxed;
   s.ledger.energy_tissue = w.corotation.energy;

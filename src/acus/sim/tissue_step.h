@@ -30,8 +30,8 @@ double residual_target(const Model& model, const Scratch& scratch, double load);
 inline auto preconditioner(const Model& m, Scratch& w) {
   using Single = numeric::NodeVectorOf<float>;
   return [&](Single& z, const Single& r) {
-    numeric::multiply_blocks_into(z, w.matrix.inverse_block, r);
-    numeric::add_coarse_correction_into(z, m.coarse, r, w.coarse);
+    numeric::multiply_blocks_into(z, w.matrix.inverse_block, r, w.team);
+    numeric::add_coarse_correction_into(z, m.coarse, r, w.coarse, w.team);
   };
 }
 
@@ -44,9 +44,9 @@ numeric::SolveOutcome improve_velocity(const Model& m, State& s, Scratch& w, dou
   numeric::SolveOutcome outcome =
       m.scene.run.solver_precision == Precision::single_
           ? numeric::improve_refined_into(s.velocity, w.residual, target, max_iterations, w.solver, multiply,
-                                          preconditioner(m, w))
+                                          preconditioner(m, w), w.team)
           : numeric::improve_in_double_into(s.velocity, w.residual, target, max_iterations, w.exact_solver,
-                                            w.solver.single, multiply, preconditioner(m, w));
+                                            w.solver.single, multiply, preconditioner(m, w), w.team);
   outcome.broke_down = outcome.broke_down || outcome.iterations >= max_iterations;
   return outcome;
 }

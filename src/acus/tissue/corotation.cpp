@@ -1,6 +1,6 @@
 #include "acus/tissue/corotation.h"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "acus/numeric/polar.h"
@@ -10,6 +10,7 @@ namespace acus::tissue {
 namespace {
 
 using numeric::node_stride;
+using numeric::Range;
 
 using Lane = ExactLane;
 constexpr int width = lanes_in<double, Lane>;  // elements in a part
@@ -22,9 +23,10 @@ struct Part {
   Lane force[4][4];  // N, corner by corner; beside it the share V tr(e) / 4 of the nodes' mean dilations
 };
 
-// What a kernel sums up over the elements, lane by lane.
+// What a kernel sums up over the elements of a stream, lane by lane.
 struct Sums {
   Lane energy[parts]{}, relaxed[parts]{};
+  int safe_rotations = 0;
 };
 
 ACUS_INLINE void store_part(double* to, const Lane& v) { std::memcpy(to, &v, sizeof v); }
@@ -201,11 +203,12 @@ ACUS_INLINE void respond(Part& b, Sums& sums, int part, Lane volume, Lane mu, La
   for (auto& force : b.force) force[3] = 0.25 * volume * trace;
 }
 
-// `branch` is a MaxwellBranch, or nothing.
+// Adds the elements' forces to `to`. `branch` is a MaxwellBranch, or nothing.
 template <class... Branch>
-ACUS_INLINE Sums each_element(Corotation& out, const TissueModel& m, Branch&... branch) {
+ACUS_INLINE Sums each_element(double* to, Range elements, Corotation& out, const TissueModel& m,
+                              Branch&... branch) {
   Sums sums;
-  for (std::size_t first = 0; first < m.offsets.size(); first += lanes) {
+  for (std::size_t first = elements.first; first < elements.last; first += lanes) {
     Part batch[parts];
     const Offsets* offsets = m.offsets.data() + first;
     const double* gradient = &m.gradient[9 * first];
@@ -215,8 +218,8 @@ ACUS_INLINE Sums each_element(Corotation& out, const TissueModel& m, Branch&... 
       gather_edges(batch[p].edge, out.field.data(), offsets + p * width);
       for (int k = 0; k < 9; ++k) batch[p].q[k] = load_part<Lane>(q + p * width + k * lanes);
     }
-    out.safe_rotations += follow(batch, gradient);
-    BatchSum<double, Lane> force(out.elastic_force.data(), offsets);
+    sums.safe_rotations += follow(batch, gradient);
+    BatchSum<double, Lane> force(to, offsets);
     for (int p = 0; p < parts; ++p) {
       Part& b = batch[p];
       const std::size_t at = first + p * width;
@@ -237,23 +240,34 @@ ACUS_INLINE Sums each_element(Corotation& out, const TissueModel& m, Branch&... 
   return sums;
 }
 
-ACUS_KERNEL Sums corotate_elements(Corotation& out, const TissueModel& m) { return each_element(out, m); }
-
-ACUS_KERNEL Sums corotate_and_relax_elements(Corotation& out, MaxwellBranch& branch, const TissueModel& m) {
-  return each_element(out, m, branch);
+ACUS_KERNEL Sums corotate_elements(double* to, Range elements, Corotation& out, const TissueModel& m) {
+  return each_element(to, elements, out, m);
 }
 
-// Energy and force of the mean dilations: f_i -= (V / 4) (sum over the corners of kappa theta) R g_i.
-ACUS_KERNEL void add_nodal_pressure(Corotation& out, const TissueModel& m) {
-  for (int a = 0; a < m.nodes; ++a) {
-    const std::size_t at = static_cast<std::size_t>(node_stride) * a;
-    out.dilation[a] = out.elastic_force[at + 3] / m.node_volume[a];
-    out.field[at + 3] = -m.node_bulk_modulus[a] * out.dilation[a];
-    out.energy -= 0.5 * out.field[at + 3] * out.elastic_force[at + 3];
+ACUS_KERNEL Sums corotate_and_relax_elements(double* to, Range elements, Corotation& out,
+                                             MaxwellBranch& branch, const TissueModel& m) {
+  return each_element(to, elements, out, m, branch);
+}
+
+// Mean dilations and their pressures from the sums beside the forces, which are cleared. Returns `energy`
+// with that of the pressures.
+ACUS_KERNEL double dilate(double* sum, Range nodes, Corotation& out, const TissueModel& m, double energy) {
+  for (std::size_t a = nodes.first; a < nodes.last; ++a) {
+    double& dilated = sum[node_stride * a + 3];
+    out.dilation[a] = dilated / m.node_volume[a];
+    double& pressure = out.field[node_stride * a + 3];
+    pressure = -m.node_bulk_modulus[a] * out.dilation[a];
+    energy -= 0.5 * pressure * dilated;
+    dilated = 0.0;
   }
-  for (std::size_t first = 0; first < m.offsets.size(); first += lanes) {
+  return energy;
+}
+
+// The nodal pressures' force: f_i -= (V / 4) (sum over the corners of kappa theta) R g_i.
+ACUS_KERNEL void press_elements(double* to, Range elements, const Corotation& out, const TissueModel& m) {
+  for (std::size_t first = elements.first; first < elements.last; first += lanes) {
     const Offsets* offsets = m.offsets.data() + first;
-    BatchSum<double, Lane> sum(out.elastic_force.data(), offsets);
+    BatchSum<double, Lane> sum(to, offsets);
     for (int p = 0; p < parts; ++p) {
       Lane corners[4], q[9], force[4][4] = {};
       sum_corners(corners, out.field.data(), offsets + p * width);
@@ -267,18 +281,41 @@ ACUS_KERNEL void add_nodal_pressure(Corotation& out, const TissueModel& m) {
   }
 }
 
-void begin(Corotation& out, std::span<const Vec3> positions) {
-  std::fill(out.elastic_force.begin(), out.elastic_force.end(), 0.0);
-  for (std::size_t i = 0; i < positions.size(); ++i)
-    numeric::store4(&out.field[node_stride * i], numeric::load3(positions[i].data()));
+// `corotate(to, elements)` is what is to be done with the elements.
+template <class Corotate>
+void evaluate(Corotation& out, const TissueModel& m, std::span<const Vec3> positions, const Team& team,
+              const Corotate& corotate) {
+  numeric::each_piece(out.field.size(), team, [&](Range r) {
+    for (std::size_t at = r.first; at < r.last; at += node_stride)
+      numeric::store4(&out.field[at], numeric::load3(positions[at / node_stride].data()));
+  });
+  std::array<Sums, most_streams> sums;
+  m.streams.add(out.parts, team,
+                [&](double* to, Range elements, int stream) { sums[stream] = corotate(to, elements); });
+  out.energy = out.relaxed = 0.0;
   out.safe_rotations = 0;
-}
-
-void finish(Corotation& out, const TissueModel& model, const Sums& sums) {
-  out.energy = numeric::sum(sums.energy);
-  out.relaxed = numeric::sum(sums.relaxed);
-  if (model.kind == ElementKind::nodal_pressure) add_nodal_pressure(out, model);
-  for (std::size_t i = 3; i < out.elastic_force.size(); i += node_stride) out.elastic_force[i] = 0.0;
+  for (int s = 0; s < m.streams.count(); ++s) {
+    out.energy += numeric::sum(sums[s].energy);
+    out.relaxed += numeric::sum(sums[s].relaxed);
+    out.safe_rotations += sums[s].safe_rotations;
+  }
+  if (m.kind == ElementKind::nodal_pressure) {
+    std::array<double, numeric::most_pieces> energy{out.energy};
+    m.streams.sum(out.parts, team, [&](double* sum, Range nodes, int piece) {
+      energy[piece] = dilate(sum, nodes, out, m, energy[piece]);
+    });
+    out.energy = energy[0];
+    for (int piece = 1; piece < numeric::most_pieces; ++piece) out.energy += energy[piece];
+    m.streams.add(out.parts, team,
+                  [&](double* to, Range elements, int) { press_elements(to, elements, out, m); });
+  }
+  m.streams.sum(out.parts, team, [&](double* sum, Range nodes, int) {
+    for (std::size_t at = node_stride * nodes.first; at < node_stride * nodes.last; at += node_stride) {
+      sum[at + 3] = 0.0;
+      numeric::store4(&out.elastic_force[at], numeric::load4(sum + at));
+      numeric::store4(sum + at, numeric::Lane4{});
+    }
+  });
   out.finite = std::isfinite(out.energy);
 }
 
@@ -290,20 +327,23 @@ Corotation build_corotation(const TissueModel& model) {
   c.single_gradient.assign(model.gradient.size(), 0.0F);
   c.elastic_force.assign(static_cast<std::size_t>(model.nodes) * node_stride, 0.0);
   c.field = c.elastic_force;
+  c.parts.assign(model.streams.count() * c.field.size(), 0.0);
   if (model.kind == ElementKind::nodal_pressure) c.dilation.assign(model.nodes, 0.0);
   return c;
 }
 
-void corotate_into(Corotation& out, const TissueModel& model, std::span<const Vec3> positions) {
-  begin(out, positions);
-  finish(out, model, corotate_elements(out, model));
+void corotate_into(Corotation& out, const TissueModel& model, std::span<const Vec3> positions,
+                   const Team& team) {
+  evaluate(out, model, positions, team,
+           [&](double* to, Range elements) { return corotate_elements(to, elements, out, model); });
 }
 
 void corotate_into(Corotation& out, MaxwellBranch& branch, const TissueModel& model,
-                   std::span<const Vec3> positions) {
-  if (!model.relaxation.relaxes()) return corotate_into(out, model, positions);
-  begin(out, positions);
-  finish(out, model, corotate_and_relax_elements(out, branch, model));
+                   std::span<const Vec3> positions, const Team& team) {
+  if (!model.relaxation.relaxes()) return corotate_into(out, model, positions, team);
+  evaluate(out, model, positions, team, [&](double* to, Range elements) {
+    return corotate_and_relax_elements(to, elements, out, branch, model);
+  });
 }
 
 }  // namespace acus::tissue

@@ -27,17 +27,20 @@ struct Corotation {
   bool finite = true;                  // false as soon as a position is not a number
   int safe_rotations = 0;              // elements that needed the slow, safe rotation
 
-  numeric::NodeVector field;  // [nodes] working memory: positions, with the nodal pressures beside them
+  // Working memory: positions, with the nodal pressures beside them, [nodes]; what each stream adds to the
+  // nodes, [streams][nodes], zero in between.
+  numeric::NodeVector field, parts;
 };
 
 Corotation build_corotation(const TissueModel& model);
 
 // Evaluates all of it, but for the branches, at `positions` (one per node, m).  Rotations go on from those
 // before, of whatever configuration. Inverted, flat and collapsed elements are allowed.
-void corotate_into(Corotation& out, const TissueModel& model, std::span<const Vec3> positions);
+void corotate_into(Corotation& out, const TissueModel& model, std::span<const Vec3> positions,
+                   const Team& team = one_thread);
 // The same at the end of a step, over which `branch` is taken. To `elastic_force` it adds what would be left
 // of its force at the end of the next one if nothing moved; the system matrix has the rest.
 void corotate_into(Corotation& out, MaxwellBranch& branch, const TissueModel& model,
-                   std::span<const Vec3> positions);
+                   std::span<const Vec3> positions, const Team& team = one_thread);
 
 }  // namespace acus::tissue

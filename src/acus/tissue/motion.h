@@ -27,12 +27,13 @@ inline StepFactors step_factors(double h, const Rayleigh& damping) {
 
 // b = M v0 + h f_el over the free nodes; external impulses h f_ext are added to it by the caller.
 void momentum_into(numeric::NodeVector& b, const TissueModel& model, const numeric::NodeVector& velocity,
-                   const numeric::NodeVector& elastic_force, double h);
+                   const numeric::NodeVector& elastic_force, double h, const Team& team = one_thread);
 
 // x += h v for the free nodes.
-void move(std::vector<Vec3>& positions, const numeric::NodeVector& velocity, double h);
+void move(std::vector<Vec3>& positions, const numeric::NodeVector& velocity, double h,
+          const Team& team = one_thread);
 
 // v . M v over the free nodes, kg m^2/s^2 (twice the kinetic energy).
-double mass_product(const TissueModel& model, const numeric::NodeVector& v);
+double mass_product(const TissueModel& model, const numeric::NodeVector& v, const Team& team = one_thread);
 
 }  // namespace acus::tissue

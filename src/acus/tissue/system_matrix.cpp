@@ -11,6 +11,7 @@ namespace {
 using numeric::load4;
 using numeric::load_lanes;
 using numeric::node_stride;
+using numeric::Range;
 using numeric::store4;
 
 // Numbers of eight elements, straight from where they are kept, part by part.
@@ -68,10 +69,11 @@ class PackedElements {
 // Calls `respond` for the parts of each batch of elements with the part's own `offsets`, and adds up what it
 // puts.
 template <class Elements, class Respond, class Real = typename Elements::Real>
-ACUS_INLINE void add_elements(const TissueModel& m, Elements s, Real* reaction, const Respond& respond) {
+ACUS_INLINE void add_elements(const TissueModel& m, Range elements, Elements s, Real* reaction,
+                              const Respond& respond) {
   using Lane = typename Elements::Lane;
   constexpr int parts = lane_count<Real> / lanes_in<Real, Lane>;
-  for (std::size_t first = 0; first < m.offsets.size(); first += lane_count<Real>) {
+  for (std::size_t first = elements.first; first < elements.last; first += lane_count<Real>) {
     const Offsets* offsets = m.offsets.data() + first;
     BatchSum<Real, Lane> sum(reaction, offsets);
     for (int part = 0; part < parts; ++part) {
@@ -86,11 +88,11 @@ ACUS_INLINE void add_elements(const TissueModel& m, Elements s, Real* reaction, 
 
 // Adds what the elements do by themselves and, `with_dilation`, beside it V tr(G) / 4 for the nodes' means.
 template <bool with_dilation, class Elements, class Real = typename Elements::Real>
-ACUS_INLINE void add_local(const TissueModel& m, const Elements& elements, const Real* field,
+ACUS_INLINE void add_local(const TissueModel& m, Range range, const Elements& elements, const Real* field,
                            Real* reaction) {
   using Lane = typename Elements::Lane;
   add_elements(
-      m, elements, reaction,
+      m, range, elements, reaction,
       [&](const Elements& s, const Offsets* offsets, const auto& put) __attribute__((always_inline)) {
         Lane edge[9], q[9], g[9], stress[6], force[4][4];
         gather_edges(edge, field, offsets);
@@ -110,11 +112,11 @@ ACUS_INLINE void add_local(const TissueModel& m, const Elements& elements, const
 // Adds what the nodal pressures do: f_i += (V / 4) (sum over the corners of the pressure) q_i. A pressure
 // stands beside its node's x, where one load brings both.
 template <class Elements, class Real = typename Elements::Real>
-ACUS_INLINE void add_pressure(const TissueModel& m, const Elements& elements, const Real* field,
+ACUS_INLINE void add_pressure(const TissueModel& m, Range range, const Elements& elements, const Real* field,
                               Real* reaction) {
   using Lane = typename Elements::Lane;
   add_elements(
-      m, elements, reaction,
+      m, range, elements, reaction,
       [&](const Elements& s, const Offsets* offsets, const auto& put) __attribute__((always_inline)) {
         Lane sum[4], q[9], force[4][4];
         sum_corners(sum, field, offsets);
@@ -128,44 +130,85 @@ ACUS_INLINE void add_pressure(const TissueModel& m, const Elements& elements, co
       });
 }
 
-// reaction = K' field; `pressure_weight(n)` is kappa_n / V_n with the factor.
-template <class Elements, class Weight, class Real = typename Elements::Real>
-ACUS_INLINE void react(const TissueModel& m, const Elements& elements, const Weight& pressure_weight,
-                       Real* field, Real* reaction) {
-  if (m.kind == ElementKind::linear) return add_local<false>(m, elements, field, reaction);
-  add_local<true>(m, elements, field, reaction);
-  for (int n = 0; n < m.nodes; ++n) {
-    Real& dilation = reaction[node_stride * n + 3];
-    field[node_stride * n + 3] = pressure_weight(n) * dilation;
-    dilation = Real{};  // padding again
+// The same for either precision, clone by clone: what is handed to a team is not. A product reads its
+// numbers from where it has them.
+struct Exactly {
+  const SystemMatrix& a;
+  const TissueModel& m;
+  const Corotation& corotation;
+  numeric::NodeVector& field = a.field;
+  numeric::NodeVector& reaction = a.reaction;
+  double mass(std::size_t n) const { return a.mass_factor * m.node_mass[n]; }
+  double pressure_weight(std::size_t n) const {
+    return a.stiffness_factor * m.node_bulk_modulus[n] / m.node_volume[n];
   }
-  add_pressure(m, elements, field, reaction);
+};
+struct Packed {
+  const SystemMatrix& a;
+  const TissueModel& m;
+  const Corotation& corotation;
+  numeric::NodeVectorOf<float>& field = a.field_single;
+  numeric::NodeVectorOf<float>& reaction = a.reaction_single;
+  float mass(std::size_t n) const { return a.mass[n]; }
+  float pressure_weight(std::size_t n) const { return a.pressure_weight[n]; }
+};
+
+ACUS_KERNEL void respond_alone(double* to, Range range, const Exactly& p) {
+  add_local<false>(p.m, range, ExactElements(p.m, p.corotation, p.a.stiffness_factor), p.field.data(), to);
+}
+ACUS_KERNEL void respond_alone(float* to, Range range, const Packed& p) {
+  add_local<false>(p.m, range, PackedElements(p.a, p.corotation), p.field.data(), to);
+}
+ACUS_KERNEL void respond_and_dilate(double* to, Range range, const Exactly& p) {
+  add_local<true>(p.m, range, ExactElements(p.m, p.corotation, p.a.stiffness_factor), p.field.data(), to);
+}
+ACUS_KERNEL void respond_and_dilate(float* to, Range range, const Packed& p) {
+  add_local<true>(p.m, range, PackedElements(p.a, p.corotation), p.field.data(), to);
+}
+ACUS_KERNEL void press(double* to, Range range, const Exactly& p) {
+  add_pressure(p.m, range, ExactElements(p.m, p.corotation, p.a.stiffness_factor), p.field.data(), to);
+}
+ACUS_KERNEL void press(float* to, Range range, const Packed& p) {
+  add_pressure(p.m, range, PackedElements(p.a, p.corotation), p.field.data(), to);
 }
 
-ACUS_KERNEL void react_exactly(const SystemMatrix& a, const TissueModel& m, const Corotation& corotation) {
-  const double factor = a.stiffness_factor;
-  react(
-      m, ExactElements(m, corotation, factor),
-      [&](int n) { return factor * m.node_bulk_modulus[n] / m.node_volume[n]; }, a.field.data(),
-      a.reaction.data());
+// The nodes' pressures from their dilations, which are cleared: padding again.
+template <class Real, class Product>
+void set_pressures(Real* sum, Range nodes, const Product& p) {
+  Real* field = p.field.data();
+  for (std::size_t n = nodes.first; n < nodes.last; ++n) {
+    field[node_stride * n + 3] = p.pressure_weight(n) * sum[node_stride * n + 3];
+    sum[node_stride * n + 3] = Real{};
+  }
 }
 
-ACUS_KERNEL void react_packed(const SystemMatrix& a, const TissueModel& m, const Corotation& corotation) {
-  react(
-      m, PackedElements(a, corotation), [&](int n) { return a.pressure_weight[n]; }, a.field_single.data(),
-      a.reaction_single.data());
+// y = mass x + sum for the free nodes of a range; clears the sum
+template <class Real, class Product>
+void add_inertia(Real* y, const Real* x, Real* sum, Range nodes, const Product& p) {
+  const auto free = static_cast<std::size_t>(p.m.free_nodes);
+  const std::size_t last = std::min(nodes.last, free);
+  for (std::size_t n = nodes.first; n < last; ++n)
+    store4(y + node_stride * n, p.mass(n) * load4(x + node_stride * n) + load4(sum + node_stride * n));
+  std::fill(sum + node_stride * nodes.first, sum + node_stride * nodes.last, Real{});
 }
 
-// y = mass x + reaction
-template <class Real, class Mass>
-void add_inertia(numeric::NodeVectorOf<Real>& y, const Mass& mass, const numeric::NodeVectorOf<Real>& x,
-                 const numeric::NodeVectorOf<Real>& reaction) {
-  Real* py = y.data();
-  const Real* px = x.data();
-  const Real* pr = reaction.data();
-  const int nodes = static_cast<int>(x.size()) / node_stride;
-  for (int i = 0; i < nodes; ++i)
-    store4(py + node_stride * i, mass(i) * load4(px + node_stride * i) + load4(pr + node_stride * i));
+template <class Real, class Product>
+void multiply(numeric::NodeVectorOf<Real>& y, const numeric::NodeVectorOf<Real>& x, const Team& team,
+              const Product& p) {
+  const Streams& streams = p.m.streams;
+  numeric::each_piece(x.size(), team, [&](Range r) {  // held nodes stay zero
+    std::copy(x.begin() + r.first, x.begin() + r.last, p.field.begin() + r.first);
+  });
+  if (p.m.kind == ElementKind::linear) {
+    streams.add(p.reaction, team, [&](Real* to, Range elements, int) { respond_alone(to, elements, p); });
+  } else {
+    streams.add(p.reaction, team,
+                [&](Real* to, Range elements, int) { respond_and_dilate(to, elements, p); });
+    streams.sum(p.reaction, team, [&](Real* sum, Range nodes, int) { set_pressures(sum, nodes, p); });
+    streams.add(p.reaction, team, [&](Real* to, Range elements, int) { press(to, elements, p); });
+  }
+  streams.sum(p.reaction, team,
+              [&](Real* sum, Range nodes, int) { add_inertia(y.data(), x.data(), sum, nodes, p); });
 }
 
 }  // namespace
@@ -176,9 +219,9 @@ SystemMatrix build_system_matrix(const TissueModel& model) {
   a.mass.assign(model.free_nodes, 0.0F);
   a.inverse_block.assign(3 * static_cast<std::size_t>(node_stride) * model.free_nodes, 0.0F);
   a.field.assign(static_cast<std::size_t>(model.nodes) * node_stride, 0.0);
-  a.reaction = a.field;
+  a.reaction.assign(model.streams.count() * a.field.size(), 0.0);
   a.field_single.assign(a.field.size(), 0.0F);
-  a.reaction_single = a.field_single;
+  a.reaction_single.assign(a.reaction.size(), 0.0F);
   if (model.kind == ElementKind::nodal_pressure) a.pressure_weight.assign(model.nodes, 0.0F);
   return a;
 }
@@ -204,21 +247,13 @@ void set_factors(SystemMatrix& out, const TissueModel& model, double mass_factor
 }
 
 void multiply_into(numeric::NodeVector& y, const TissueModel& model, const Corotation& corotation,
-                   const SystemMatrix& a, const numeric::NodeVector& x) {
-  std::copy(x.begin(), x.end(), a.field.begin());  // held nodes stay zero
-  std::fill(a.reaction.begin(), a.reaction.end(), 0.0);
-  react_exactly(a, model, corotation);
-  add_inertia(
-      y, [&](int i) { return a.mass_factor * model.node_mass[i]; }, x, a.reaction);
+                   const SystemMatrix& a, const numeric::NodeVector& x, const Team& team) {
+  multiply(y, x, team, Exactly{a, model, corotation});
 }
 
 void multiply_into(numeric::NodeVectorOf<float>& y, const TissueModel& model, const Corotation& corotation,
-                   const SystemMatrix& a, const numeric::NodeVectorOf<float>& x) {
-  std::copy(x.begin(), x.end(), a.field_single.begin());
-  std::fill(a.reaction_single.begin(), a.reaction_single.end(), 0.0F);
-  react_packed(a, model, corotation);
-  add_inertia(
-      y, [&](int i) { return a.mass[i]; }, x, a.reaction_single);
+                   const SystemMatrix& a, const numeric::NodeVectorOf<float>& x, const Team& team) {
+  multiply(y, x, team, Packed{a, model, corotation});
 }
 
 }  // namespace acus::tissue

@@ -29,8 +29,8 @@ struct SystemMatrix {
   // [free nodes][3 columns][4] of A's diagonal blocks at rest: Jacobi's preconditioner, node by node.
   std::vector<float> inverse_block;
 
-  // Working memory of a product, over all nodes: x with the nodal pressure beside it, K' x with the sum of
-  // V tr(G) / 4.
+  // Working memory of a product, over all nodes: x with the nodal pressure beside it; for each stream, its
+  // part of K' x with the sum of V tr(G) / 4, zero in between.
   mutable numeric::NodeVector field, reaction;
   mutable numeric::NodeVectorOf<float> field_single, reaction_single;
 };
@@ -41,9 +41,10 @@ void set_factors(SystemMatrix& out, const TissueModel& model, double mass_factor
 
 // y = A x with the factors of `a` and K' at the configuration of `corotation`.
 void multiply_into(numeric::NodeVector& y, const TissueModel& model, const Corotation& corotation,
-                   const SystemMatrix& a, const numeric::NodeVector& x);
+                   const SystemMatrix& a, const numeric::NodeVector& x, const Team& team = one_thread);
 // The same in single precision.
 void multiply_into(numeric::NodeVectorOf<float>& y, const TissueModel& model, const Corotation& corotation,
-                   const SystemMatrix& a, const numeric::NodeVectorOf<float>& x);
+                   const SystemMatrix& a, const numeric::NodeVectorOf<float>& x,
+                   const Team& team = one_thread);
 
 }  // namespace acus::tissue

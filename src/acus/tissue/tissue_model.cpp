@@ -111,6 +111,7 @@ Result<TissueModel> build_tissue_model(const mesh::TetMesh& mesh, std::span<cons
     place_element(m, e, shape, materials.back(), 0.0);
   }
 
+  m.streams = build_streams(m.corners, mesh.tets.size(), mesh.nodes.size());
   for (const mesh::Tet& t : m.corners) {
     Offsets& of = m.offsets.emplace_back();
     for (std::size_t i = 0; i < 4; ++i) of[i] = static_cast<std::uint32_t>(numeric::node_stride * t[i]);

@@ -11,6 +11,7 @@
 #include "acus/tissue/element_kind.h"
 #include "acus/tissue/material.h"
 #include "acus/tissue/relaxation.h"
+#include "acus/tissue/streams.h"
 
 namespace acus::tissue {
 
@@ -33,6 +34,7 @@ struct TissueModel {
   int tets = 0;
   RelaxationStep relaxation;
 
+  Streams streams;
   std::vector<mesh::Tet> corners;    // [groups][lanes]
   std::vector<Offsets> offsets;      // [groups][lanes] where the corners stand in a node vector
   std::vector<double> gradient;      // [groups][9][lanes] 1/m: g_1, g_2, g_3 of Shape; g_0 = -(sum)

@@ -25,13 +25,13 @@ std::string without_option(const std::string& sentence, const std::vector<std::s
 
 }  // namespace
 
-Result<Simulation> build_without_files(const Scene& scene) {
+Result<Simulation> build_without_files(const Scene& scene, int threads) {
   if (!scene.tissue.rigid && !scene.tissue.mesh.empty())
     return Error{
         "tissue.mesh names a file, and an engine in a browser has none; leave it out for a block, or use "
         "acus "
         "serve"};
-  return Simulation::build(scene);
+  return Simulation::build(scene, nullptr, threads);
 }
 
 // What each command does.
@@ -89,7 +89,7 @@ Result<Scene> StudioSession::scene_of(const SceneChoice& choice) const {
 void StudioSession::start(const SceneChoice& choice) {
   const Result<Scene> scene = scene_of(choice);
   if (!scene) return refuse(scene.error().sentence);
-  Result<Simulation> built = source_.build(*scene);
+  Result<Simulation> built = source_.build(*scene, source_.threads);
   if (!built) return refuse(built.error().sentence);
   // Nothing of the old insertion is touched until all that can fail is done.
   FrameScratch scratch = build_frame_scratch(*built);

@@ -21,11 +21,12 @@ namespace acus::view {
 struct Source {
   std::string name;                   // "wasm" or "serve"
   std::optional<std::string> device;  // its title
-  Result<Simulation> (*build)(const Scene&) = nullptr;
+  Result<Simulation> (*build)(const Scene&, int threads) = nullptr;
+  int threads = 1;  // that share a step
 };
 
 // The simulation of a scene that names no file; else a sentence that says why not.
-Result<Simulation> build_without_files(const Scene& scene);
+Result<Simulation> build_without_files(const Scene& scene, int threads = 1);
 
 class StudioSession {
  public:

@@ -19,16 +19,17 @@ struct Samples {
   std::vector<double> iterations;
 };
 
-Samples follow_hand(Simulation& simulation, const std::function<void(long)>& heard) {
+Samples follow_hand(Simulation& simulation, const std::function<void(long)>& heard, int threads) {
+  const auto clock = clock_for(threads);
   const Scene& scene = simulation.scene();
   Hand hand(scene.hand, scene.run.time_step);
   Samples samples;
   while (simulation.frame().health == Health::good) {
     const std::optional<double> travel = hand.next(simulation.frame().hand_force);
     if (!travel) break;
-    const std::int64_t wall = wall_clock(), processor = processor_clock();
+    const std::int64_t wall = wall_clock(), begun = clock();
     const Frame& frame = simulation.step(*travel);
-    samples.processor.push_back(us_between(processor, processor_clock()));
+    samples.processor.push_back(us_between(begun, clock()));
     samples.wall.push_back(us_between(wall, wall_clock()));
     samples.stage.push_back(frame.stage);
     samples.iterations.push_back(frame.solver_iterations);
@@ -73,7 +74,7 @@ Result<InsertionCost> measure_insertion(const Scene& scene, const std::function<
   if (!simulation) return simulation.error();
   InsertionCost cost;
   cost.build = us * us_between(begun, processor_clock());
-  const Samples samples = follow_hand(*simulation, heard);
+  const Samples samples = follow_hand(*simulation, heard, threads);
   if (simulation->frame().health != Health::good)
     return Error{"the insertion stopped after " + std::to_string(simulation->frame().time) +
                  " s of its time: " + complaint(simulation->frame().health)};
@@ -95,7 +96,8 @@ Result<InsertionCost> measure_insertion(const Scene& scene, const std::function<
   const double all = us * sum(samples.processor);  // s
   cost.real_time_factor = cost.simulated / all;
   constexpr double minute = 60.0;  // s
-  cost.insertions_a_minute = minute / (cost.build + all);
+  cost.threads = threads;
+  cost.insertions_a_minute = minute / (cost.build + all) / threads;
   cost.stages = by_stage(samples);
   cost.events.assign(simulation->events().begin(), simulation->events().end());
   return cost;

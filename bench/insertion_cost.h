@@ -25,10 +25,11 @@ struct InsertionCost {
   int tetrahedra = 0;
   int nodes = 0;
   int steps = 0;
+  int threads = 1;
   double time_step = 0.0;         // s
   double simulated = 0.0;         // s
   double iterations = 0.0;        // of conjugate gradients, the mean
-  Spread processor, wall;         // of the thread, and as it took on this machine beside all else
+  Spread processor, wall;         // of the thread, on the wall if there are several; and always on the wall
   int over = 0, over_wall = 0;    // steps that took longer than the time they advance
   double spare = 0.0;             // share of the step's own time that is left at the median of processor time
   double real_time_factor = 0.0;  // simulated time / processor time of all steps

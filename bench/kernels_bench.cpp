@@ -33,12 +33,12 @@ void count(benchmark::State& state, int items) {
       1e-9 * items, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-// Of tissue that turns to and fro, by what a step turns it near a needle, with the product of a field.
+// Of tissue that is sheared to and fro, by what a step turns it near a needle.
 void rotation_and_force(benchmark::State& state) {
   Assembled a;
   std::vector<Vec3> there = model().mesh.nodes, back = there;
-  constexpr double turn = 1e-3;  // rad
-  for (Vec3& x : there) x.x() += turn * x.z();
+  constexpr double shear = 1e-3;
+  for (Vec3& x : there) x.x() += shear * x.z();
   for (auto _ : state) {
     tissue::corotate_into(a.scratch.corotation, model().tissue, there);
     std::swap(there, back);

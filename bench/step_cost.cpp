@@ -59,7 +59,7 @@ Residual true_residual(const Model& m, const State& s, const Scratch& w, numeric
 class MeasuredInsertion {
  public:
   MeasuredInsertion(Model model, int threads)
-      : clock_(threads == 1 ? processor_clock : wall_clock),
+      : clock_(clock_for(threads)),
         model_(std::move(model)),
         state_(initial_state(model_)),
         scratch_(build_scratch(model_, threads)) {
@@ -117,11 +117,12 @@ struct Samples {
   std::array<std::vector<double>, step_parts> part_us;
 };
 
-void measure_reference(ReferenceStep& reference, int steps, Samples& samples) {
+void measure_reference(ReferenceStep& reference, int steps, int threads, Samples& samples) {
+  const auto clock = clock_for(threads);  // of the engine, so that both are timed alike
   for (int i = 0; i < steps; ++i) {
-    const std::int64_t from = processor_clock();
+    const std::int64_t from = clock();
     reference.advance();
-    samples.reference_us.push_back(us_between(from, processor_clock()));
+    samples.reference_us.push_back(us_between(from, clock()));
   }
 }
 
@@ -148,7 +149,9 @@ Residual residual_at(const std::vector<Residual>& residuals, double share) {
 }
 
 // The runs of the reference, and the engine's steps spread evenly between them.
-void measure_in_turns(ReferenceStep& reference, MeasuredInsertion& insertion, int steps, Samples& samples) {
+void measure_in_turns(ReferenceStep& reference, MeasuredInsertion& insertion, const StepWanted& wanted,
+                      Samples& samples) {
+  const int steps = wanted.steps;
   const int turns = turns_a_run * ((steps + reference_steps - 1) / reference_steps);
   int taken = 0;
   for (int turn = 0; turn < turns; ++turn) {
@@ -156,7 +159,7 @@ void measure_in_turns(ReferenceStep& reference, MeasuredInsertion& insertion, in
       reference.restart();
       for (int i = 0; i < reference_warm; ++i) reference.advance();
     }
-    measure_reference(reference, reference_steps / turns_a_run, samples);
+    measure_reference(reference, reference_steps / turns_a_run, wanted.threads, samples);
     const int due = static_cast<int>(static_cast<long>(steps) * (turn + 1) / turns);
     measure_insertion(insertion, due - taken, samples);
     taken = due;
@@ -225,7 +228,7 @@ Result<StepCost> measure(const StepWanted& wanted) {
   insertion.solve_to(std::max(tolerance_for(insertion, of_reference, wanted.equal_by), rounding));
   for (int i = 0; i < settling_steps; ++i) insertion.advance(insertion.model().scene.hand.speed);
   Samples samples;
-  measure_in_turns(reference, insertion, wanted.steps, samples);
+  measure_in_turns(reference, insertion, wanted, samples);
   if (insertion.frame().health != Health::good)
     return Error{"the insertion that is measured stopped after " + std::to_string(insertion.frame().time) +
                  " s of its time"};

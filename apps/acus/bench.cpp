@@ -87,10 +87,9 @@ int measure_steps(const BenchOptions& options) {
   else
     std::printf(
         "A step with needle, contact, cutting and ledger beside a plain Eigen step of linear tissue alone:\n"
-        "medians of processor time taken in turns, and medians of the residuals. The engine's largest "
-        "residual\n"
+        "medians of %s time taken in turns, and medians of the residuals. The engine's largest residual\n"
         "stays below the reference's median by the measure that --equal names, %s.\n",
-        options.equal.c_str());
+        options.threads > 1 ? "wall" : "processor", options.equal.c_str());
   return done;
 }
 

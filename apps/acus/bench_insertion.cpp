@@ -69,6 +69,7 @@ Json as_json(const bench::InsertionCost& cost, const Scene& scene) {
            {{"solver_tolerance", scene.run.solver_tolerance},
             {"time_step_ms", cost.time_step / units::ms},
             {"steps", cost.steps},
+            {"threads", cost.threads},
             {"simulated_s", cost.simulated},
             {"processor_us", as_json(cost.processor)},
             {"wall_us", as_json(cost.wall)},
@@ -93,7 +94,10 @@ void print(const bench::InsertionCost& cost, const Scene& scene) {
       "%d tetrahedra, %d nodes: %d steps of %g ms, %.2f s simulated, to %.1e, %.1f iterations a step\n",
       cost.tetrahedra, cost.nodes, cost.steps, cost.time_step / units::ms, cost.simulated,
       scene.run.solver_tolerance, cost.iterations);
-  print("processor time", cost.processor, cost.over);
+  if (cost.threads > 1)
+    std::printf("  shared by %d threads, all times on the wall\n", cost.threads);
+  else
+    print("processor time", cost.processor, cost.over);
   print("wall time", cost.wall, cost.over_wall);
   if (cost.spare >= 0.0)
     std::printf("  %.0f %% of a step's own time to spare at the median", 100.0 * cost.spare);

@@ -49,6 +49,19 @@ TEST_F(Attachments, of_a_point_are_positive_sum_to_one_and_give_linear_fields_ex
   }
 }
 
+TEST_F(Attachments, of_a_disc_that_has_moved_are_those_of_a_new_one) {
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 axis = random_axis(), centre = 0.9 * random_point();
+    Attachment moved;
+    embed_disc_into(moved, locator_, centre + 1e-3 * random_axis(), axis, 3e-3, nodes_);
+    embed_disc_into(moved, locator_, centre, axis, 3e-3, nodes_);
+    Attachment fresh;
+    embed_disc_into(fresh, locator_, centre, axis, 3e-3, nodes_);
+    EXPECT_EQ(moved.node, fresh.node);
+    EXPECT_EQ(moved.weight, fresh.weight);
+  }
+}
+
 TEST_F(Attachments, carry_rigid_motion_of_a_disc_exactly) {
   const Mat3 turn = Eigen::AngleAxisd(0.8, random_axis()).toRotationMatrix();
   const Vec3 shift(0.02, -0.01, 0.03), centre(0.001, 0.002, 0.015), axis = random_axis();

@@ -62,6 +62,21 @@ RC_GTEST_FIXTURE_PROP(LocatorInGradedBlock, finds_the_node_a_search_of_all_nodes
   RC_ASSERT(locator.nearest_node(p) == nearest);
 }
 
+// Wherever it is told to look first, nowhere included.
+RC_GTEST_FIXTURE_PROP(LocatorInGradedBlock, finds_the_same_wherever_it_looks_first, ()) {
+  const Vec3 p = random_point(0.2);
+  const auto plain = locator.locate(p, 0.01);
+  const int first = *rc::gen::inRange(-1, static_cast<int>(mesh.tets.size()));
+  for (const int hint : {first, plain ? plain->tet : -1}) {
+    const auto hinted = locator.locate(p, 0.01, hint);
+    RC_ASSERT(hinted.has_value() == plain.has_value());
+    if (!plain) continue;
+    RC_ASSERT(hinted->tet == plain->tet);
+    RC_ASSERT(hinted->nodes == plain->nodes);
+    RC_ASSERT(hinted->weights == plain->weights);
+  }
+}
+
 TEST_F(LocatorInGradedBlock, finds_every_node_in_a_tetrahedron_that_has_it) {
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
     const auto found = locator.locate(mesh.nodes[n]);

@@ -111,6 +111,22 @@ TEST(RefinedSolve, stands_loads_far_outside_the_range_of_floats) {
   EXPECT_LE(tiny.residual(x), 1.1e-70);
 }
 
+TEST(RefinedSolve, in_double_throughout_gives_the_dense_solution) {
+  const System system(1e3);
+  const double norm = system.dense(system.b).norm();
+  SolveScratch<double> exact(nodes);
+  SolveScratch<float> single(nodes);
+  NodeVector x(size, 0.0), residual = system.b;
+  const SolveOutcome outcome =
+      improve_in_double_into(x, residual, 1e-11 * norm, 5000, exact, single, system,
+                             [](NodeVectorOf<float>& z, const NodeVectorOf<float>& r) { z = r; });
+  EXPECT_FALSE(outcome.broke_down);
+  EXPECT_LE(system.residual(x), 1.1e-11 * norm);
+  EXPECT_NEAR(std::sqrt(dot(residual, residual)), system.residual(x), 1e-12 * norm);
+  const Eigen::VectorXd solution = testing::solve_positive(system.A, system.dense(system.b));
+  EXPECT_LT((system.dense(x) - solution).norm(), 1e-7 * solution.norm());
+}
+
 TEST(RefinedSolve, says_so_when_a_number_is_not_finite) {
   System system(10.0);
   system.b[5] = std::numeric_limits<double>::quiet_NaN();

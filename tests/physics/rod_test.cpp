@@ -303,4 +303,25 @@ TEST_P(EmbeddedNeedle, buckles_at_the_load_of_an_independent_program) {
   }
 }
 
+// The disc that spreads the tip load crosses elements, each deformed in its own way. It turns over its own
+// radius, so that nothing leaps: a needle that goes in slowly feels friction grow, and no drops of a
+// millinewton.
+TEST(RodInTissue, cuts_on_evenly_from_element_to_element) {
+  Scene scene;
+  scene.needle.length = 0.12;
+  scene.contact.rupture_force = 0.2;
+  auto simulation = Simulation::build(scene);
+  ASSERT_TRUE(simulation);
+  double travel = 0.0;
+  while (simulation->frame().inserted_length < 20e-3 && travel < 0.1) simulation->step(travel += 1e-4);
+  double before = 0.0;
+  for (int i = 0; i < 200; ++i) {
+    const double force = simulation->step(travel += 1e-5).hand_force;
+    if (i > 50) {
+      EXPECT_GT(force, before - 2e-4) << i;
+    }
+    before = force;
+  }
+}
+
 }  // namespace

@@ -29,6 +29,15 @@ void recover(BareTissue& tissue, Needs needs, const std::function<Vec3(const Vec
   for (int i = 0; i < tissue.model.free_nodes; ++i) tissue.position[i] = crush(tissue.rest[i]);
   corotate_into(tissue.corotation, tissue.model, tissue.position);
   ASSERT_TRUE(tissue.corotation.finite);
+  double flattest = 1.0;  // volume over that at rest
+  for (int e = 0; e < tissue.model.tets; ++e) {
+    const mesh::Tet& t = tissue.model.corners[e];
+    const auto volume = [&](const std::vector<Vec3>& x) {
+      return (x[t[1]] - x[t[0]]).cross(x[t[2]] - x[t[0]]).dot(x[t[3]] - x[t[0]]);
+    };
+    flattest = std::min(flattest, volume(tissue.position) / volume(tissue.rest));
+  }
+  ASSERT_LT(flattest, 1e-9);  // elements are crushed
   if (needs == Needs::safe_rotations) {
     ASSERT_GT(tissue.corotation.safe_rotations, 0);
   }

@@ -73,8 +73,7 @@ TEST_P(PaperEquations, system_matrix_of_eq_7) {
   EXPECT_LT((unpadded(tissue.times_matrix(padded(x))) - A * x).norm(), 1e-12 * (A * x).norm());
 }
 
-// A rotation leaves the trace of a block as it is, so for the whole tissue turned the preconditioner still
-// fits.
+// Jacobi's preconditioner, node by node.
 TEST_P(PaperEquations, preconditioner_inverts_the_diagonal_block_of_each_node_at_rest) {
   const HeldMesh held = held_mesh(irregular_block(), at_bottom);
   const auto materials = mixed_materials(held.mesh.tets.size());

@@ -5,6 +5,7 @@
 // then the results have the same bits for any number.
 #pragma once
 
+#include <cassert>
 #include <memory>
 
 namespace acus {
@@ -22,9 +23,10 @@ class Team {
 
   // f(0) .. f(pieces - 1), in any order and side by side; returns when all are done. Neither allocates nor
   // locks. f must not throw, nor give work to the same team; nor may two callers at once. At most
-  // `most_pieces`.
+  // `most_pieces_of_a_task`.
   template <class F>
   void run(int pieces, const F& f) const {
+    assert(pieces <= most_pieces_of_a_task);
     if (!shared_ || pieces == 1) {
       for (int piece = 0; piece < pieces; ++piece) f(piece);
     } else {
@@ -32,7 +34,7 @@ class Team {
           pieces, [](const void* task, int piece) { (*static_cast<const F*>(task))(piece); }, &f);
     }
   }
-  static constexpr int most_pieces = 0xffff;
+  static constexpr int most_pieces_of_a_task = 0xffff;
 
  private:
   using Call = void (*)(const void* task, int piece);

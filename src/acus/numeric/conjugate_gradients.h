@@ -60,8 +60,8 @@ SolveOutcome improve_into(NodeVectorOf<Real>& x, double target, int max_iteratio
     // The share of the iterate at which the mean residual is least.
     const double mixed = dot(s.residual, s.iterate_residual, team);
     const double apart = rr - 2.0 * mixed + least;  // square of the distance of the two residuals
-    if (!(apart > 0.0)) break;
-    least = approach_into(x, s.residual, (least - mixed) / apart, s.iterate, s.iterate_residual, team);
+    if (apart > 0.0)
+      least = approach_into(x, s.residual, (least - mixed) / apart, s.iterate, s.iterate_residual, team);
   }
   outcome.residual_norm = std::sqrt(least);
   outcome.broke_down = !(least <= target_squared) && outcome.iterations < max_iterations;

@@ -18,9 +18,6 @@ ACUS_INLINE Lane8 load_wide(const float* p) {
   std::memcpy(&v, p, sizeof v);
   return __builtin_convertvector(v, Lane8);
 }
-ACUS_INLINE double total(Lane8 v) {
-  return ((v[0] + v[4]) + (v[1] + v[5])) + ((v[2] + v[6]) + (v[3] + v[7]));
-}
 
 // Four sums run side by side, so that an addition need not wait for the one before; the last few numbers come
 // one by one.
@@ -37,7 +34,8 @@ ACUS_INLINE double sum_of_products(std::span<const Real> a, std::span<const Real
       sums[k] += load_wide(pa + i + width * k) * load_wide(pb + i + width * k);
   double rest = 0.0;
   for (; i < a.size(); ++i) rest += static_cast<double>(pa[i]) * static_cast<double>(pb[i]);
-  return total((sums[0] + sums[1]) + (sums[2] + sums[3])) + rest;
+  const Lane8 all[1] = {(sums[0] + sums[1]) + (sums[2] + sums[3])};
+  return sum(all) + rest;
 }
 
 template <class Y, class X>

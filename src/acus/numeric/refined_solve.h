@@ -48,7 +48,7 @@ SolveOutcome improve_refined_into(NodeVector& x, NodeVector& residual, double ta
     const SolveOutcome round = improve_into(s.correction, fall, max_iterations - outcome.iterations, s.single,
                                             multiply, precondition, team);
     outcome.iterations += round.iterations;
-    outcome.broke_down = round.broke_down;
+    outcome.broke_down = round.broke_down && round.residual_norm > fall;
     add_scaled_into(x, norm, s.correction, team);
     if (fall >= trusted_fall) {
       scale_into(residual, norm, s.single.residual, team);

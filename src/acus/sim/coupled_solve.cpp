@@ -14,7 +14,6 @@ using numeric::NodeVector;
 
 constexpr int max_passes = 12;  // branch corrections; two or three are usual
 constexpr int easy_passes = 4;
-constexpr int max_iterations = 4000;       // of one conjugate-gradient solve
 constexpr double rate_resolution = 1e-12;  // m/s: slower is at rest
 constexpr double finest_influence = 1e-5;  // relative residual of y: floats go no further
 

@@ -22,7 +22,7 @@ struct CoupledOutcome {
   bool broke_down = false;  // a solve failed, or no consistent branches were found
 };
 
-// Advances state.velocity, influence and tip_rate. `scratch` holds the assembled matrix, the momentum and the
+// Advances state.velocity, influence and tip_rate. `scratch` holds the matrix, the momentum and the
 // held points; the hand ends the step at `hand_travel`.
 CoupledOutcome solve_coupled(const Model& model, State& state, Scratch& scratch, double hand_travel,
                              double free_length, double configurational_force, const StepProbe& probe);

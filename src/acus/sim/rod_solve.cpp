@@ -15,7 +15,6 @@ using numeric::NodeVector;
 constexpr int max_passes = 80;  // of Newton's method and the branches together; two are usual
 constexpr int easy_passes = 8;  // more are for a rod that is giving way
 constexpr double slight_force = 1e-2, stride = 8.0;  // N; how much farther it goes while no more is left
-constexpr int max_iterations = 4000;                 // of one conjugate-gradient solve
 // While the rod is far from balance, by so many times the tolerance, the tissue need not be solved for it to
 // the last: a pass may leave this share of what it starts with (Dembo, Eisenstat and Steihaug 1982).
 constexpr double far = 100.0, forcing = 0.2;

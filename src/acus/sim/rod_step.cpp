@@ -76,7 +76,7 @@ void advance_rod(const Model& m, State& s, Scratch& w, const needle::Pose& hub, 
   touch_rod(m, s, w);
   probe(StepPart::contact);
   if (!m.rigid()) {
-    assemble_tissue(m, s, w);
+    form_momentum(m, s, w);
     begin_tissue(m, s, w);
   }
   probe(StepPart::assembly);

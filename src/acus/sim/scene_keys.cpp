@@ -162,8 +162,7 @@ std::vector<SceneKey> run_keys() {
       {"run.time_step_ms", NumberField{ACUS_AT(run.time_step), milli, {0.01, 20.0}},
        "of the implicit integrator"},
       {"run.solver_precision", ACUS_CHOICE(run.solver_precision, "single", "double"),
-       "of the conjugate gradients' iterations; single is twice as fast and no less exact, since it is "
-       "refined"},
+       "of the conjugate gradients' iterations; single is twice as fast and moves no force more"},
       {"run.solver_tolerance", NumberField{ACUS_AT(run.solver_tolerance), one, {1e-14, 0.1}},
        "what a solve may leave unbalanced, of the load; 5e-5 moves no force by more than 0.03 %"},
       {"run.trace_stride", IntegerField{ACUS_AT(run.trace_stride), {1.0, 1e6}},

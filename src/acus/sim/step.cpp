@@ -133,7 +133,7 @@ bool move_together(const Model& m, State& s, Scratch& w, double hand_travel, Bef
   touch(m, s, w, before.place);
   probe(StepPart::contact);
   const double configurational = before.configurational_force(m);
-  assemble_tissue(m, s, w);
+  form_momentum(m, s, w);
   coupling::add_along(w.momentum, m.entry, h * configurational, m.path.direction);
   begin_tissue(m, s, w);
   probe(StepPart::assembly);

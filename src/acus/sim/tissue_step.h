@@ -15,8 +15,8 @@ struct TissueBefore {
       0.0;  // kg m^2/s^2, v . A v with the matrix at the beginning and the step's velocity
 };
 
-// Momentum and matrix at the present positions, without the needle.
-void assemble_tissue(const Model& model, const State& state, Scratch& scratch);
+// The momentum at the present positions, without the needle.
+void form_momentum(const Model& model, const State& state, Scratch& scratch);
 
 // A start for the solve near its answer, from the velocities before, and its imbalance. The momentum is
 // complete.
@@ -35,19 +35,20 @@ inline auto preconditioner(const Model& m, Scratch& w) {
   };
 }
 
+inline constexpr int max_iterations = 4000;  // of one conjugate-gradient solve
+
 // Improves the tissue's velocity until `w.residual`, which is what it leaves, is below `target`, in the
 // precision that the scene asks for; multiply as in numeric::improve_refined_into.
 template <class Multiply>
 numeric::SolveOutcome improve_velocity(const Model& m, State& s, Scratch& w, double target,
                                        const Multiply& multiply) {
-  constexpr int max_iterations = 4000;
   numeric::SolveOutcome outcome =
       m.scene.run.solver_precision == Precision::single_
           ? numeric::improve_refined_into(s.velocity, w.residual, target, max_iterations, w.solver, multiply,
                                           preconditioner(m, w), w.team)
           : numeric::improve_in_double_into(s.velocity, w.residual, target, max_iterations, w.exact_solver,
                                             w.solver.single, multiply, preconditioner(m, w), w.team);
-  outcome.broke_down = outcome.broke_down || outcome.iterations >= max_iterations;
+  outcome.broke_down = outcome.broke_down || outcome.residual_norm > target;
   return outcome;
 }
 

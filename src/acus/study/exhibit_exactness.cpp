@@ -69,6 +69,12 @@ Table deviations(const Panel& panel) {
   for (const RunRecord* run : panel.runs) {
     const Deviation d = deviation(*run, exact);
     const bool itself = run == &exact;
+    const std::size_t rows = column(*run, "hand_force_N").size(), all = column(exact, "hand_force_N").size();
+    if (rows != all) {  // what is missing may be the worst
+      table.rows.push_back({tolerance_of(*run), precision_of(*run),
+                            joined({std::to_string(rows), " rows for ", std::to_string(all)}), "", ""});
+      continue;
+    }
     table.rows.push_back({tolerance_of(*run), precision_of(*run),
                           itself ? "" : with_exponent("%.1e", d.worst), itself ? "" : share(d.worst_share),
                           number(mean_iterations(*run), 3)});

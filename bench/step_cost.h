@@ -35,6 +35,12 @@ struct StepCost {
 // needle creeps little, so the last two ask more of the engine.
 enum class EqualBy { momentum, change, load };
 
+constexpr double Residual::*measure_of(EqualBy equal_by) {
+  return equal_by == EqualBy::load     ? &Residual::of_load
+         : equal_by == EqualBy::change ? &Residual::of_change
+                                       : &Residual::of_momentum;
+}
+
 struct StepWanted {
   int tetrahedra = 10000;  // about
   int steps = 100;         // measured

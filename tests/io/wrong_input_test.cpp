@@ -163,7 +163,7 @@ const std::vector<Wrong> wrong_scenes = {
      "[hand]\nspeed_mm_s = 1000\n[run]\ntime_step_ms = 10",
      {"scene.toml:4:", "run.time_step_ms"},
      {"at most contact.contact_radius_mm"}},
-    {"tolerance_loose", "[run]\nsolver_tolerance = 1", {"run.solver_tolerance"}, {"to 0.1"}},
+    {"tolerance_loose", "[run]\nsolver_tolerance = 1", {"run.solver_tolerance"}, {"to 0.01"}},
     {"stride_zero", "[run]\ntrace_stride = 0", {"run.trace_stride"}, {"from 1 to 1000000, but is 0"}},
 };
 

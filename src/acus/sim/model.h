@@ -24,6 +24,7 @@ struct Model {
   double cutting_force = 0.0;    // N
   double point_aside = 0.0;      // m, how far from the needle's axis the point of a bevel cuts
   double grip_compliance = 0.0;  // m/N
+  double least_load = 0.0;       // N, below which a solve counts a load as so much
   double tip_stiffness = 0.0;    // N/m, of the contact spring and what the mesh cannot sink by under the tip
   mesh::InsertionPath path;      // entry, direction, length of tissue along it
 

@@ -35,9 +35,8 @@ void begin_tissue(const Model& m, State& s, Scratch& w) {
 }
 
 double residual_target(const Model& m, const Scratch& w, double load) {
-  constexpr double least_load = 1e-3;  // N: what nobody feels. Without it tissue at rest is solved to nothing
   const double momentum = std::sqrt(numeric::dot(w.right_hand_side, w.right_hand_side, w.team));
-  return m.scene.run.solver_tolerance * (momentum + m.scene.run.time_step * std::max(load, least_load));
+  return m.scene.run.solver_tolerance * (momentum + m.scene.run.time_step * std::max(load, m.least_load));
 }
 
 void move_tissue(const Model& m, State& s, Scratch& w, TissueBefore& before, const StepProbe& probe) {

@@ -32,7 +32,7 @@ std::string with_exponent(const char* format, double value) {
   return text;
 }
 std::string tolerance_of(const RunRecord& run) {
-  return with_exponent("%.0e", run.scene.run.solver_tolerance);
+  return with_exponent("%.3g", run.scene.run.solver_tolerance);
 }
 
 struct Deviation {
@@ -63,19 +63,19 @@ Table deviations(const Panel& panel) {
   const RunRecord& exact = most_exact(panel);
   Table table{joined({"Deviation from the run with a tolerance of ", tolerance_of(exact), " in ",
                       precision_of(exact), " precision, the largest at any row of the trace"}),
-              {"tolerance", "precision", "force on the hand, N", "of the force, where above 0.02 N",
+              {"run", "tolerance", "precision", "force on the hand, N", "of the force, where above 0.02 N",
                "iterations a step"},
               {}};
   for (const RunRecord* run : panel.runs) {
     const Deviation d = deviation(*run, exact);
     const bool itself = run == &exact;
-    const std::size_t rows = column(*run, "hand_force_N").size(), all = column(exact, "hand_force_N").size();
-    if (rows != all) {  // what is missing may be the worst
-      table.rows.push_back({tolerance_of(*run), precision_of(*run),
-                            joined({std::to_string(rows), " rows for ", std::to_string(all)}), "", ""});
+    if (column(*run, "hand_travel_m") !=
+        column(exact, "hand_travel_m")) {  // what is missing may be the worst
+      table.rows.push_back(
+          {run->chosen.name, tolerance_of(*run), precision_of(*run), "the hand goes another way", "", ""});
       continue;
     }
-    table.rows.push_back({tolerance_of(*run), precision_of(*run),
+    table.rows.push_back({run->chosen.name, tolerance_of(*run), precision_of(*run),
                           itself ? "" : with_exponent("%.1e", d.worst), itself ? "" : share(d.worst_share),
                           number(mean_iterations(*run), 3)});
   }

@@ -34,8 +34,11 @@ inline constexpr int lane_count = sizeof(ElementLane<Real>) / sizeof(Real);
 
 #define ACUS_INLINE inline __attribute__((always_inline))
 
-// Before a short loop over vectors: without it they travel through memory from one round to the next.
-#ifdef __clang__
+// Before a short loop over vectors: without it they travel through memory from one round to the next. A
+// browser has too few registers to gain, and the engine must be small on its way there.
+#ifdef __wasm__
+#define ACUS_UNROLL
+#elif defined(__clang__)
 #define ACUS_UNROLL _Pragma("clang loop unroll(full)")
 #else
 #define ACUS_UNROLL _Pragma("GCC unroll 16")

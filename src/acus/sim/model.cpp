@@ -164,9 +164,9 @@ Result<Model> build_model(const Scene& scene, const mesh::TetMesh* mesh) {
   constexpr int rod_edges = 60;  // 0.1 % of a critical load (needle/rod.h)
   m.rod = needle::build_rod(m.needle, rod_edges);
   m.grip_compliance = grip_compliance(scene.hand);
-  constexpr double nothing =
-      1e-3;  // of what buckles the needle. Without it tissue at rest is solved for ever
-  m.least_load = nothing * critical_load(m.scene);
+  // Without it tissue at rest is solved for ever: what nobody feels, and what is nothing to a thin needle.
+  constexpr double unfelt = 1e-3, share_of_critical = 1e-3;  // N, -
+  m.least_load = std::min(unfelt, share_of_critical * critical_load(m.scene));
   m.cutting_force =
       force::cutting_force(scene.contact.fracture_toughness, scene.contact.crack, scene.needle.radius);
   constexpr double degree = std::numbers::pi / 180.0;

@@ -34,6 +34,13 @@ void begin_tissue(const Model& m, State& s, Scratch& w) {
   numeric::scale_and_add_into(w.imbalance, -1.0, w.momentum, w.team);
 }
 
+numeric::SolveOutcome improve_in_double(
+    const Model& m, State& s, Scratch& w, double target,
+    const std::function<void(numeric::NodeVector&, const numeric::NodeVector&)>& multiply) {
+  return numeric::improve_in_double_into(s.velocity, w.residual, target, max_iterations, w.exact_solver,
+                                         w.solver.single, multiply, preconditioner(m, w), w.team);
+}
+
 double residual_target(const Model& m, const Scratch& w, double load) {
   const double momentum = std::sqrt(numeric::dot(w.right_hand_side, w.right_hand_side, w.team));
   return m.scene.run.solver_tolerance * (momentum + m.scene.run.time_step * std::max(load, m.least_load));

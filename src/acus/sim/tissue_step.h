@@ -1,6 +1,8 @@
 // What a step does with the tissue, whatever the needle is made of.
 #pragma once
 
+#include <functional>
+
 #include "acus/sim/scratch.h"
 #include "acus/sim/state.h"
 #include "acus/sim/step_probe.h"
@@ -37,6 +39,11 @@ inline auto preconditioner(const Model& m, Scratch& w) {
 
 inline constexpr int max_iterations = 4000;  // of one conjugate-gradient solve
 
+// The same in double, for any matrix: it need not be fast.
+numeric::SolveOutcome improve_in_double(
+    const Model& m, State& s, Scratch& w, double target,
+    const std::function<void(numeric::NodeVector&, const numeric::NodeVector&)>& multiply);
+
 // Improves the tissue's velocity until `w.residual`, which is what it leaves, is below `target`, in the
 // precision that the scene asks for; multiply as in numeric::improve_refined_into.
 template <class Multiply>
@@ -46,8 +53,7 @@ numeric::SolveOutcome improve_velocity(const Model& m, State& s, Scratch& w, dou
       m.scene.run.solver_precision == Precision::single_
           ? numeric::improve_refined_into(s.velocity, w.residual, target, max_iterations, w.solver, multiply,
                                           preconditioner(m, w), w.team)
-          : numeric::improve_in_double_into(s.velocity, w.residual, target, max_iterations, w.exact_solver,
-                                            w.solver.single, multiply, preconditioner(m, w), w.team);
+          : improve_in_double(m, s, w, target, std::cref(multiply));
   outcome.broke_down = outcome.broke_down || outcome.residual_norm > target;
   return outcome;
 }

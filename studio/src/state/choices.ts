@@ -124,6 +124,7 @@ export const meshes = [
 export const pageSettings: Record<string, number | string> = {
   'tissue.tetrahedra': 3000,
   'hand.speed_mm_s': 4, // a push goes five times as fast at most: the paper's 20 mm/s
+  'run.solver_tolerance': 1e-6, // so that a way that is rounded to be written down leads to the same digits again
   'run.time_step_ms': 2, // moves no load of a first buckling or puncture by more than 0.2 % (docs/studio.md)
 };
 

@@ -43,7 +43,13 @@ export const touched = (page) => page.waitForFunction(() => Number.parseFloat(do
 export async function paused(page) {
   await picture(page).focus();
   await page.keyboard.press(' ');
-  await page.getByRole('button', { name: 'Go on' }).waitFor();
+  // A page that is busy drawing now and then does not hear the key; a person would press it again.
+  const goOn = page.getByRole('button', { name: 'Go on' });
+  await goOn.waitFor({ timeout: 10000 }).catch(async () => {
+    await picture(page).focus();
+    await page.keyboard.press(' ');
+    await goOn.waitFor();
+  });
   let before = '';
   for (let now = JSON.stringify(await readings(page)); now !== before; now = JSON.stringify(await readings(page))) {
     before = now;

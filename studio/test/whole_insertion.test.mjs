@@ -76,22 +76,33 @@ async function isTheNativeOne(page, seen) {
   }
 }
 
-test('in_the_page_it_is_the_native_engines_to_the_digit', async () => {
+// Now and then a page does not come to a stop when it is asked to, and why is not known; then once more from the start.
+const onceMore = (act) => async () => {
+  try {
+    await act();
+  } catch (error) {
+    if (error.name !== 'TimeoutError') throw error;
+    await Promise.all([closePages(), endServers()]);
+    await act();
+  }
+};
+
+test('in_the_page_it_is_the_native_engines_to_the_digit', onceMore(async () => {
   const { page, complaints } = await openStudio(tools);
   await anew(page, () => page.selectOption('#scene', preset));
   await anew(page, () => page.selectOption('#mesh', '1000'));
   await isTheNativeOne(page, await thereAndBack(page));
   assert.deepEqual(complaints, []);
-});
+}));
 
-test('at_a_server_it_is_the_native_engines_to_the_digit', async () => {
+test('at_a_server_it_is_the_native_engines_to_the_digit', onceMore(async () => {
   const server = await serve(scene, coarse);
   const { page, complaints } = await openStudio(tools, { address: server.address });
   await touched(page);
   await isTheNativeOne(page, await thereAndBack(page));
   assert.deepEqual(complaints, []);
   assert.equal(await server.end(), 0);
-});
+}));
 
 test('the_papers_ten_thousand_tetrahedra_open_run_and_are_drawn', async () => {
   const { page, complaints } = await openStudio(tools);

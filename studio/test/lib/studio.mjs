@@ -48,7 +48,7 @@ export async function paused(page) {
   await goOn.waitFor({ timeout: 10000 }).catch(async () => {
     await picture(page).focus();
     await page.keyboard.press(' ');
-    await goOn.waitFor();
+    await goOn.waitFor({ timeout: 10000 });
   });
   let before = '';
   for (let now = JSON.stringify(await readings(page)); now !== before; now = JSON.stringify(await readings(page))) {

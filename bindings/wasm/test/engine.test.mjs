@@ -82,11 +82,11 @@ test("worker answers commands and posts frames while it steps", async () => {
   assert.equal(frames[0].numbers[0], 0); // at rest, before it moves
 });
 
-test("engine is smaller than 320 kB on its way", async () => {
+test("engine is smaller than 300 kB on its way", async () => {
   let bytes = 0;
   for (const name of ["acus_engine.wasm", "acus_engine.mjs", "engine.js", "worker.js", "protocol.js"])
     bytes += gzipSync(await readFile(builtFile(name)), { level: 9 }).length;
-  assert.ok(bytes < 320e3, `${bytes} bytes`);
+  assert.ok(bytes < 300e3, `${bytes} bytes`);
 });
 
 test("kernels are vectors: the module has SIMD instructions", async () => {

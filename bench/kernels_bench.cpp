@@ -84,7 +84,7 @@ void conjugate_gradient_iteration(benchmark::State& state) {
           tissue::multiply_into(y, model().tissue, a.scratch.corotation, a.scratch.matrix, p);
         },
         [&](Single& z, const Single& r) {
-          numeric::multiply_blocks_into(z, a.scratch.matrix.inverse_block, r);
+          numeric::multiply_blocks_into(z, model().inverse_block, r);
           numeric::add_coarse_correction_into(z, model().coarse, r, a.scratch.coarse);
         });
   }

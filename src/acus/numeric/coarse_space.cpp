@@ -59,12 +59,11 @@ void place(CoarseSpace& space, const std::array<Planes, 3>& planes, const Vec3& 
 }
 
 // field = P^T r for r at a range of nodes, zero elsewhere
-template <class Real>
-ACUS_INLINE void restrict_fields(NodeVectorOf<Real>& field, const CoarseSpace& space,
-                                 const NodeVectorOf<Real>& r, Range range) {
-  std::fill(field.begin(), field.end(), Real{});
-  Real* to = field.data();
-  const Real* from = r.data();
+ACUS_KERNEL void restrict_range(NodeVectorOf<float>& field, const CoarseSpace& space,
+                                const NodeVectorOf<float>& r, Range range) {
+  std::fill(field.begin(), field.end(), 0.0F);
+  float* to = field.data();
+  const float* from = r.data();
   const std::array<int, 4>* corner = space.corner.data();
   const std::array<float, 4>* weight = space.weight.data();
   // Neighbours add to the same nodes of the grid and would wait for each other, so far-off nodes take turns.
@@ -72,17 +71,12 @@ ACUS_INLINE void restrict_fields(NodeVectorOf<Real>& field, const CoarseSpace& s
   const std::size_t share = (range.size() + streams - 1) / streams;
   for (std::size_t turn = range.first; turn < range.first + share; ++turn)
     for (std::size_t i = turn; i < range.last; i += share) {
-      const NodeLane<Real> value = load4(from + node_stride * i);
+      const Lane4f value = load4(from + node_stride * i);
       for (int k = 0; k < 4; ++k) {
-        Real* at = to + corner[i][k];
-        store4(at, load4(at) + static_cast<Real>(weight[i][k]) * value);
+        float* at = to + corner[i][k];
+        store4(at, load4(at) + weight[i][k] * value);
       }
     }
-}
-
-ACUS_KERNEL void restrict_range(NodeVectorOf<float>& field, const CoarseSpace& space,
-                                const NodeVectorOf<float>& r, Range range) {
-  restrict_fields(field, space, r, range);
 }
 
 // z += P field at a range of nodes
@@ -127,31 +121,33 @@ ACUS_KERNEL void invert(std::vector<double>& a, int n) {
   }
 }
 
-// P^T A P, row by row.
-std::vector<double> grid_matrix(const CoarseSpace& space,
-                                const std::function<void(NodeVector&, const NodeVector&)>& multiply) {
-  const int n = space.size;
-  std::vector<double> matrix(static_cast<std::size_t>(n) * n, 0.0);
-  NodeVector x(space.corner.size() * node_stride), y(x.size());
-  NodeVector field(static_cast<std::size_t>(n) / 3 * node_stride);
-  for (int row = 0; row < n; ++row) {
-    std::fill(x.begin(), x.end(), 0.0);
-    for (std::size_t i = 0; i < space.corner.size(); ++i)
-      for (int k = 0; k < 4; ++k)
-        if (space.corner[i][k] == row / 3 * node_stride)
-          x[node_stride * i + row % 3] = static_cast<double>(space.weight[i][k]);
-    multiply(y, x);
-    restrict_fields(field, space, y, {0, space.corner.size()});
-    for (int j = 0; j < n; ++j)
-      matrix[static_cast<std::size_t>(row) * n + j] = field[node_stride * (j / 3) + j % 3];
-  }
+// P^T A P
+std::vector<double> grid_matrix(const CoarseSpace& space, const LowerBlocks& a) {
+  const auto n = static_cast<std::size_t>(space.size);
+  std::vector<double> matrix(n * n, 0.0);
+  const auto add = [&](std::size_t i, std::size_t j, const Mat3& block) {
+    for (int k = 0; k < 4; ++k)
+      for (int l = 0; l < 4; ++l) {
+        const double weight =
+            static_cast<double>(space.weight[i][k]) * static_cast<double>(space.weight[j][l]);
+        const std::size_t row = static_cast<std::size_t>(space.corner[i][k]) / node_stride * 3;
+        const std::size_t column = static_cast<std::size_t>(space.corner[j][l]) / node_stride * 3;
+        for (int r = 0; r < 3; ++r)
+          for (int c = 0; c < 3; ++c) matrix[(row + r) * n + column + c] += weight * block(r, c);
+      }
+  };
+  for (std::size_t i = 0; i < a.rows.size(); ++i)
+    for (const LowerBlocks::Entry& e : a.rows[i]) {
+      const auto j = static_cast<std::size_t>(e.column);
+      add(i, j, e.block);
+      if (j != i) add(j, i, e.block.transpose());
+    }
   return matrix;
 }
 
 }  // namespace
 
-CoarseSpace build_coarse_space(std::span<const Vec3> positions,
-                               const std::function<void(NodeVector&, const NodeVector&)>& multiply) {
+CoarseSpace build_coarse_space(std::span<const Vec3> positions, const LowerBlocks& a) {
   CoarseSpace space;
   // The cube of which comes nearest to as many nodes as there should be.
   const double wanted = static_cast<double>(positions.size()) / nodes_per_grid_node;
@@ -162,7 +158,7 @@ CoarseSpace build_coarse_space(std::span<const Vec3> positions,
   for (const Vec3& x : positions) place(space, planes, x);
   const int n = static_cast<int>(3 * planes[0].size() * planes[1].size() * planes[2].size());
   space.size = n;
-  std::vector<double> matrix = grid_matrix(space, multiply);
+  std::vector<double> matrix = grid_matrix(space, a);
   for (int i = 0; i < n; ++i) {
     double& diagonal = matrix[static_cast<std::size_t>(i) * n + i];
     diagonal = diagonal > 0.0 ? diagonal * (1.0 + regularisation) : 1.0;  // 1 where the grid holds no node

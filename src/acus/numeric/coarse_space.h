@@ -3,16 +3,16 @@
 // Jacobi's preconditioner mends each node by itself and passes news on by one neighbour an iteration. What is
 // smooth it mends slowly; here that part is solved at once on a grid of few nodes,
 //   z = D^-1 r + P (P^T A P)^-1 P^T r   (additive two-level; Smith, Bjorstad and Gropp 1996),
-// with P the interpolation from the grid. A enters only through a matrix that is near it and stays, such as
-// the one at rest: z remains a symmetric positive definite function of r, which is all that conjugate
-// gradients ask.
+// with P the interpolation from the grid. A enters only through a matrix that is near
+// it and stays, such as the one at rest: z remains a symmetric positive definite function of r, which is all
+// that conjugate gradients ask.
 #pragma once
 
 #include <array>
-#include <functional>
 #include <span>
 #include <vector>
 
+#include "acus/numeric/lower_blocks.h"
 #include "acus/numeric/node_vector.h"
 
 namespace acus::numeric {
@@ -30,10 +30,8 @@ struct CoarseScratch {
 };
 
 // The grid has planes across each axis at equal shares of the nodes, so that it is fine where they are.
-// multiply(y, x) writes y = A x over `positions.size()` nodes, for symmetric positive definite A. It is
-// called once for each unknown of the grid.
-CoarseSpace build_coarse_space(std::span<const Vec3> positions,
-                               const std::function<void(NodeVector& y, const NodeVector& x)>& multiply);
+// `a` is symmetric positive definite, a row for each of the positions.
+CoarseSpace build_coarse_space(std::span<const Vec3> positions, const LowerBlocks& a);
 CoarseScratch build_scratch(const CoarseSpace& space);
 
 // z += P (P^T A P)^-1 P^T r

@@ -13,6 +13,7 @@
 #include "acus/sim/hand.h"
 #include "acus/sim/prediction.h"
 #include "acus/sim/support.h"
+#include "acus/tissue/rest_matrix.h"
 
 namespace acus {
 namespace {
@@ -119,18 +120,6 @@ double tip_stiffness(const Model& m) {
   return 1.0 / (1.0 / c.stiffness + missing * half_space_sink(1.0, m.scene.tissue, c.contact_radius));
 }
 
-// The system matrix at rest, on a coarse grid.
-numeric::CoarseSpace coarse_space_at_rest(const Model& m) {
-  tissue::Corotation corotation = tissue::build_corotation(m.tissue);
-  auto matrix = tissue::build_system_matrix(m.tissue);
-  tissue::corotate_into(corotation, m.tissue, m.mesh.nodes);
-  tissue::set_factors(matrix, m.tissue, m.factors.mass, m.factors.stiffness);
-  return numeric::build_coarse_space(std::span(m.mesh.nodes).first(m.tissue.free_nodes),
-                                     [&](numeric::NodeVector& y, const numeric::NodeVector& x) {
-                                       tissue::multiply_into(y, m.tissue, corotation, matrix, x);
-                                     });
-}
-
 }  // namespace
 
 void attach_disc_into(coupling::Attachment& out, const Model& m, const Vec3& point, const Vec3& axis) {
@@ -196,7 +185,9 @@ Result<Model> build_model(const Scene& scene, const mesh::TetMesh* mesh) {
   m.tissue = std::move(*tissue);
   m.damping = {t.damping_mass, t.damping_stiffness};
   m.factors = tissue::step_factors(scene.run.time_step, m.damping);
-  m.coarse = coarse_space_at_rest(m);
+  const numeric::LowerBlocks at_rest = tissue::rest_matrix(m.tissue, m.factors.mass, m.factors.stiffness);
+  m.inverse_block = numeric::inverse_diagonal(at_rest);
+  m.coarse = numeric::build_coarse_space(std::span(m.mesh.nodes).first(free_nodes), at_rest);
   m.locator.emplace(m.mesh);
   m.disc_rings = coupling::rings_for(scene.contact.contact_radius, mesh::quality(m.mesh).shortest_edge);
   m.tip_stiffness = tip_stiffness(m);

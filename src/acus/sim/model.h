@@ -34,7 +34,9 @@ struct Model {
   tissue::TissueModel tissue;
   tissue::Rayleigh damping;
   tissue::StepFactors factors;
-  numeric::CoarseSpace coarse;              // for the tissue at rest
+  // Of the system matrix at rest: the inverses of its diagonal blocks, and all of it on a coarse grid.
+  std::vector<float> inverse_block;
+  numeric::CoarseSpace coarse;
   coupling::Attachment entry;               // of the surface at the entry, spread like a tip load
   int disc_rings = coupling::fewest_rings;  // of the points that spread a tip load
   coupling::Channel channel;

@@ -5,7 +5,7 @@
 
 #include "acus/coupling/slider.h"
 #include "acus/force/energy_force.h"
-#include "acus/numeric/extrapolation.h"
+#include "acus/numeric/node_vector.h"
 #include "acus/sim/frame.h"
 #include "acus/sim/model.h"
 
@@ -37,8 +37,8 @@ struct State {
   long steps = 0;                // taken so far; time is this many time steps, without a sum's rounding
   std::vector<Vec3> position;    // m, [nodes]; advance
   numeric::NodeVector velocity;  // m/s, [free nodes]; solve_coupled
-  numeric::Extrapolation extrapolation;  // of the velocity, [free nodes]; advance
-  tissue::MaxwellBranch branch;          // of tissue that relaxes; corotate_into
+  numeric::NodeVector velocity_change;  // m/s, over the last step; advance
+  tissue::MaxwellBranch branch;         // of tissue that relaxes; corotate_into
   // m/s of the tissue per m/s of the needle, [free nodes], roughly; solve_coupled
   numeric::NodeVectorOf<float> influence;
 

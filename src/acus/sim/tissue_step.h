@@ -28,11 +28,11 @@ void begin_tissue(const Model& model, State& state, Scratch& scratch);
 // the tissue. In a slow insertion the first is what hardly moves, a hundredth of the load and less.
 double residual_target(const Model& model, const Scratch& scratch, double load);
 
-// Jacobi and a coarse grid, for the matrix of the tissue alone.
+// Jacobi by the blocks of the nodes and a coarse grid, for the matrix of the tissue alone.
 inline auto preconditioner(const Model& m, Scratch& w) {
   using Single = numeric::NodeVectorOf<float>;
   return [&](Single& z, const Single& r) {
-    numeric::multiply_blocks_into(z, w.matrix.inverse_block, r, w.team);
+    numeric::multiply_blocks_into(z, m.inverse_block, r, w.team);
     numeric::add_coarse_correction_into(z, m.coarse, r, w.coarse, w.team);
   };
 }

@@ -217,7 +217,6 @@ SystemMatrix build_system_matrix(const TissueModel& model) {
   SystemMatrix a;
   a.element.assign(model.offsets.size() * element_numbers, 0.0F);
   a.mass.assign(model.free_nodes, 0.0F);
-  a.inverse_block.assign(3 * static_cast<std::size_t>(node_stride) * model.free_nodes, 0.0F);
   a.field.assign(static_cast<std::size_t>(model.nodes) * node_stride, 0.0);
   a.reaction.assign(model.streams.count() * a.field.size(), 0.0);
   a.field_single.assign(a.field.size(), 0.0F);
@@ -235,12 +234,8 @@ void set_factors(SystemMatrix& out, const TissueModel& model, double mass_factor
     to[padding] = static_cast<float>(stiffness_factor * model.step_lambda[e] * model.volume[e]);
     to[2 * padding] = static_cast<float>(0.25 * model.volume[e]);
   }
-  for (int i = 0; i < model.free_nodes; ++i) {
-    const double mass = mass_factor * model.node_mass[i];
-    out.mass[i] = static_cast<float>(mass);
-    const Mat3 inverse = (mass * Mat3::Identity() + stiffness_factor * model.node_stiffness[i]).inverse();
-    for (int c = 0; c < 3; ++c) numeric::at(out.inverse_block, 3 * i + c) = inverse.col(c).cast<float>();
-  }
+  for (int i = 0; i < model.free_nodes; ++i)
+    out.mass[i] = static_cast<float>(mass_factor * model.node_mass[i]);
   for (std::size_t n = 0; n < out.pressure_weight.size(); ++n)
     out.pressure_weight[n] =
         static_cast<float>(stiffness_factor * model.node_bulk_modulus[n] / model.node_volume[n]);

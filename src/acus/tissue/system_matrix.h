@@ -26,8 +26,6 @@ struct SystemMatrix {
   std::vector<float> element;          // [groups of 16][element_numbers][16] m^3 Pa and m^3
   std::vector<float> mass;             // [free nodes] kg, with the factor
   std::vector<float> pressure_weight;  // [nodes] kappa_a / V_a with the factor; empty for linear
-  // [free nodes][3 columns][4] of A's diagonal blocks at rest: Jacobi's preconditioner, node by node.
-  std::vector<float> inverse_block;
 
   // Working memory of a product, over all nodes: x with the nodal pressure beside it; for each stream, its
   // part of K' x with the sum of V tr(G) / 4, zero in between.

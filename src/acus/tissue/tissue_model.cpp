@@ -26,43 +26,6 @@ void place_element(TissueModel& m, int tet, const Shape& shape, const Material& 
   m.step_lambda[tet] = m.local_lambda[tet] - 2.0 / 3.0 * stiffening;
 }
 
-// Corner i's gradient at rest, 1/m.
-Vec3 gradient_at(const TissueModel& m, int tet, int corner) {
-  Vec3 g = Vec3::Zero();
-  for (int i = 0; i < 3; ++i) {
-    if (corner != 0 && corner != i + 1) continue;
-    const double sign = corner == 0 ? -1.0 : 1.0;
-    for (int c = 0; c < 3; ++c) g[c] += sign * m.gradient[lane_place(tet, 3 * i + c, 9)];
-  }
-  return g;
-}
-
-// Of V (lambda q q^T + mu q q^T + mu |q|^2 I) over the elements of a node, and of kappa_a V_a b_a b_a^T over
-// its neighbours a: K's diagonal blocks (system_matrix.h).
-void find_node_stiffness(TissueModel& m) {
-  m.node_stiffness.assign(m.nodes, Mat3::Zero());
-  std::vector<std::vector<int>> around(m.nodes);  // the elements that meet at a node
-  for (int e = 0; e < m.tets; ++e)
-    for (int i = 0; i < 4; ++i) {
-      const Vec3 g = gradient_at(m, e, i);
-      const double mu = m.step_shear[e], both = m.step_lambda[e] + mu;
-      m.node_stiffness[m.corners[e][i]] +=
-          m.volume[e] * (both * g * g.transpose() + mu * g.squaredNorm() * Mat3::Identity());
-      around[m.corners[e][i]].push_back(e);
-    }
-  if (m.kind == ElementKind::linear) return;
-  std::vector<Vec3> mean(m.nodes, Vec3::Zero());  // V_a b_a,j
-  for (int a = 0; a < m.nodes; ++a) {
-    for (int e : around[a])
-      for (int j = 0; j < 4; ++j) mean[m.corners[e][j]] += 0.25 * m.volume[e] * gradient_at(m, e, j);
-    for (int e : around[a])
-      for (int j : m.corners[e]) {
-        m.node_stiffness[j] += m.node_bulk_modulus[a] / m.node_volume[a] * mean[j] * mean[j].transpose();
-        mean[j].setZero();  // each neighbour counts once
-      }
-  }
-}
-
 }  // namespace
 
 Result<TissueModel> build_tissue_model(const mesh::TetMesh& mesh, std::span<const Material> materials,
@@ -121,8 +84,6 @@ Result<TissueModel> build_tissue_model(const mesh::TetMesh& mesh, std::span<cons
     m.node_bulk_modulus.resize(mesh.nodes.size());
     for (std::size_t a = 0; a < mesh.nodes.size(); ++a) m.node_bulk_modulus[a] = bulk[a] / m.node_volume[a];
   }
-
-  find_node_stiffness(m);
   return m;
 }
 

@@ -47,7 +47,6 @@ struct TissueModel {
   std::vector<double> node_mass;          // [nodes] kg, lumped
   std::vector<double> node_volume;        // [nodes] m^3, a quarter of each tetrahedron
   std::vector<double> node_bulk_modulus;  // [nodes] Pa, volume-weighted mean; empty for linear
-  std::vector<Mat3> node_stiffness;       // [nodes] N/m, K's diagonal block at rest, of a step
 };
 
 // `materials` has one entry per tetrahedron; `mesh` numbers its free nodes first. Errors: element and reason.

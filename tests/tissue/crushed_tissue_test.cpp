@@ -30,8 +30,7 @@ void recover(BareTissue& tissue, Needs needs, const std::function<Vec3(const Vec
   corotate_into(tissue.corotation, tissue.model, tissue.position);
   ASSERT_TRUE(tissue.corotation.finite);
   double flattest = 1.0;  // volume over that at rest
-  for (int e = 0; e < tissue.model.tets; ++e) {
-    const mesh::Tet& t = tissue.model.corners[e];
+  for (const mesh::Tet& t : tissue.model.corners) {
     const auto volume = [&](const std::vector<Vec3>& x) {
       return (x[t[1]] - x[t[0]]).cross(x[t[2]] - x[t[0]]).dot(x[t[3]] - x[t[0]]);
     };
@@ -99,7 +98,8 @@ TEST(ElementRotations, of_random_gradients_are_those_of_the_polar_decomposition)
     corotate_into(tissue.corotation, tissue.model, tissue.position);
     for (int e = 0; e < tets; ++e) {
       Mat3 R;  // its columns are R g_i with g_i the unit vectors
-      for (int k = 0; k < 9; ++k) R.data()[k] = tissue.corotation.rotated_gradient[lane_place(e, k, 9)];
+      for (int k = 0; k < 9; ++k)
+        R.data()[k] = tissue.corotation.rotated_gradient[lane_place(tissue.model.element[e], k, 9)];
       ASSERT_TRUE(R.allFinite());
       ASSERT_LT((R.transpose() * R - Mat3::Identity()).norm(), 1e-12) << F[e];
       ASSERT_NEAR(R.determinant(), 1.0, 1e-12) << F[e];

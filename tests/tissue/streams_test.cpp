@@ -25,7 +25,7 @@ mesh::TetMesh shuffled(int tetrahedra) {
 
 // Every element adds its number and one to its corners, and so twice.
 void expect_exact_sums(const mesh::TetMesh& mesh) {
-  const Streams streams = build_streams(mesh.tets, mesh.tets.size(), mesh.nodes.size());
+  const Streams streams = build_streams(mesh.tets, mesh.nodes.size());
   const std::size_t size = numeric::node_stride * mesh.nodes.size();
   numeric::NodeVector expected(size, 0.0), found(size, 0.0);
   for (std::size_t e = 0; e < mesh.tets.size(); ++e)
@@ -50,7 +50,7 @@ void expect_exact_sums(const mesh::TetMesh& mesh) {
 }
 
 TEST(Streams, add_up_what_one_would_have_added) {
-  EXPECT_EQ(build_streams(ordered(1000).tets, 1000, ordered(1000).nodes.size()).count(), 1);
+  EXPECT_EQ(build_streams(ordered(1000).tets, ordered(1000).nodes.size()).count(), 1);
   expect_exact_sums(ordered(1000));
   expect_exact_sums(ordered(20000));
   expect_exact_sums(shuffled(20000));
@@ -59,7 +59,7 @@ TEST(Streams, add_up_what_one_would_have_added) {
 // What makes them cheap: in a mesh ordered for locality most nodes get something from few of them.
 TEST(Streams, share_few_nodes) {
   const mesh::TetMesh mesh = ordered(40000);
-  const Streams streams = build_streams(mesh.tets, mesh.tets.size(), mesh.nodes.size());
+  const Streams streams = build_streams(mesh.tets, mesh.nodes.size());
   EXPECT_EQ(streams.count(), most_streams);
   double added = 0.0;
   for (const Streams::Run& run : streams.runs)

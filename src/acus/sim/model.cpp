@@ -35,25 +35,6 @@ int free_nodes_first(mesh::TetMesh& mesh, const std::vector<bool>& held) {
   return static_cast<int>(first_held - order.begin());
 }
 
-// Deals the tetrahedra of each stream to the lanes of the kernels like cards from as many stacks, each a run
-// of neighbours: the elements of a batch then share no nodes, and adding to a node need not wait for the one
-// before.
-void deal_to_lanes(mesh::TetMesh& mesh) {
-  const mesh::TetMesh from = mesh;
-  const std::size_t tets = from.tets.size(), stream = tissue::stream_length(tets);
-  mesh.tets.clear();
-  mesh.region.clear();
-  for (std::size_t first = 0; first < tets; first += stream) {
-    const std::size_t last = std::min(first + stream, tets);
-    const std::size_t batches = (last - first + tissue::padding - 1) / tissue::padding;
-    for (std::size_t batch = first; batch < first + batches; ++batch)
-      for (std::size_t e = batch; e < last; e += batches) {
-        mesh.tets.push_back(from.tets[e]);
-        mesh.region.push_back(from.region[e]);
-      }
-  }
-}
-
 // The nodes in the far part of the mesh along `direction`: the share `fraction` of its extent.
 std::vector<bool> far_nodes(const mesh::TetMesh& mesh, const Vec3& direction, double fraction) {
   double nearest = direction.dot(mesh.nodes.front());
@@ -173,7 +154,6 @@ Result<Model> build_model(const Scene& scene, const mesh::TetMesh* mesh) {
   auto built = tissue_mesh(m, mesh);
   if (!built) return built.error();
   m.mesh = mesh::ordered_for_locality(*built);
-  deal_to_lanes(m.mesh);
   const double held_fraction = mesh ? scene.tissue.fixed_fraction : 0.0;
   const int free_nodes = free_nodes_first(m.mesh, far_nodes(m.mesh, m.path.direction, held_fraction));
   const TissueScene& t = scene.tissue;

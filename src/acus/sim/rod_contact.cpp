@@ -187,7 +187,7 @@ double spacing_across(const Model& m, int tet, const Vec3& axis) {
     least = std::min(least, along);
     most = std::max(most, along);
   }
-  return std::sqrt(6.0 * m.tissue.volume[tissue::lane_place(tet, 0, 1)] / (most - least));
+  return std::sqrt(6.0 * m.tissue.volume[m.tissue.element[tet]] / (most - least));
 }
 
 // The next cell of the channel, half a cell ahead of where it begins.

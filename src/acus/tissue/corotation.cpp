@@ -208,34 +208,44 @@ template <class... Branch>
 ACUS_INLINE Sums each_element(double* to, Range elements, Corotation& out, const TissueModel& m,
                               Branch&... branch) {
   Sums sums;
-  for (std::size_t first = elements.first; first < elements.last; first += lanes) {
-    Part batch[parts];
-    const Offsets* offsets = m.offsets.data() + first;
-    const double* gradient = &m.gradient[9 * first];
-    double* q = &out.rotated_gradient[9 * first];
-    float* single = &out.single_gradient[9 * (first / padding * padding) + first % padding];
-    for (int p = 0; p < parts; ++p) {
-      gather_edges(batch[p].edge, out.field.data(), offsets + p * width);
-      for (int k = 0; k < 9; ++k) batch[p].q[k] = load_part<Lane>(q + p * width + k * lanes);
-    }
-    sums.safe_rotations += follow(batch, gradient);
-    BatchSum<double, Lane> force(to, offsets);
-    for (int p = 0; p < parts; ++p) {
-      Part& b = batch[p];
-      const std::size_t at = first + p * width;
-      [[maybe_unused]] const std::size_t of_branch = strain_numbers * first + p * width;
-      for (int k = 0; k < 9; ++k) {
-        store_part(q + p * width + k * lanes, b.q[k]);
-        for (int l = 0; l < width; ++l) single[k * padding + p * width + l] = static_cast<float>(b.q[k][l]);
+  for (std::size_t pair = elements.first / 2; pair < elements.last / 2; pair += lanes) {
+    const Offsets* offsets = m.offsets.data() + pair;
+    Lane edge[parts][12], force[parts][pair_nodes][4];
+    for (int p = 0; p < parts; ++p) gather_edges(edge[p], out.field.data(), offsets + p * width);
+    ACUS_UNROLL
+    for (int side = 0; side < 2; ++side) {
+      const std::size_t first = element_of_pair(pair, side);
+      Part batch[parts];
+      const double* gradient = &m.gradient[9 * first];
+      double* q = &out.rotated_gradient[9 * first];
+      float* single = &out.single_gradient[9 * (first / batch_pairs * batch_pairs) + first % batch_pairs];
+      for (int p = 0; p < parts; ++p) {
+        edges_of_side(batch[p].edge, edge[p], side);
+        for (int k = 0; k < 9; ++k) batch[p].q[k] = load_part<Lane>(q + p * width + k * lanes);
       }
-      respond(b, sums, p, load_part<Lane>(&m.volume[at]), load_part<Lane>(&m.shear[at]),
-              load_part<Lane>(&m.local_lambda[at]),
-              BranchPart{m.relaxation, &branch.spring[of_branch], &branch.strain[of_branch],
-                         gradient + p * width}...);
-      ACUS_UNROLL
-      for (int i = 0; i < 4; ++i) force.take(p, i, b.force[i]);
+      sums.safe_rotations += follow(batch, gradient);
+      for (int p = 0; p < parts; ++p) {
+        Part& b = batch[p];
+        const std::size_t at = first + p * width;
+        [[maybe_unused]] const std::size_t of_branch = strain_numbers * first + p * width;
+        for (int k = 0; k < 9; ++k) {
+          store_part(q + p * width + k * lanes, b.q[k]);
+          for (int l = 0; l < width; ++l)
+            single[k * batch_pairs + p * width + l] = static_cast<float>(b.q[k][l]);
+        }
+        respond(b, sums, p, load_part<Lane>(&m.volume[at]), load_part<Lane>(&m.shear[at]),
+                load_part<Lane>(&m.local_lambda[at]),
+                BranchPart{m.relaxation, &branch.spring[of_branch], &branch.strain[of_branch],
+                           gradient + p * width}...);
+        put_corners(force[p], b.force, side);
+      }
     }
-    force.finish();
+    BatchSum<double, Lane> sum(to, offsets);
+    for (int p = 0; p < parts; ++p) {
+      ACUS_UNROLL
+      for (int i = 0; i < pair_nodes; ++i) sum.take(p, i, force[p][i]);
+    }
+    sum.finish();
   }
   return sums;
 }
@@ -265,17 +275,23 @@ ACUS_KERNEL double dilate(double* sum, Range nodes, Corotation& out, const Tissu
 
 // The nodal pressures' force: f_i -= (V / 4) (sum over the corners of kappa theta) R g_i.
 ACUS_KERNEL void press_elements(double* to, Range elements, const Corotation& out, const TissueModel& m) {
-  for (std::size_t first = elements.first; first < elements.last; first += lanes) {
-    const Offsets* offsets = m.offsets.data() + first;
+  for (std::size_t pair = elements.first / 2; pair < elements.last / 2; pair += lanes) {
+    const Offsets* offsets = m.offsets.data() + pair;
     BatchSum<double, Lane> sum(to, offsets);
     for (int p = 0; p < parts; ++p) {
-      Lane corners[4], q[9], force[4][4] = {};
+      Lane corners[2][4], q[9], force[4][4] = {}, node[pair_nodes][4];
       sum_corners(corners, out.field.data(), offsets + p * width);
-      for (int k = 0; k < 9; ++k)
-        q[k] = load_part<Lane>(&out.rotated_gradient[9 * first + p * width + k * lanes]);
-      corner_forces_of_pressure(force, 0.25 * load_part<Lane>(&m.volume[first + p * width]) * corners[3], q);
       ACUS_UNROLL
-      for (int i = 0; i < 4; ++i) sum.take(p, i, force[i]);
+      for (int side = 0; side < 2; ++side) {
+        const std::size_t first = element_of_pair(pair, side);
+        for (int k = 0; k < 9; ++k)
+          q[k] = load_part<Lane>(&out.rotated_gradient[9 * first + p * width + k * lanes]);
+        const Lane volume = load_part<Lane>(&m.volume[first + p * width]);
+        corner_forces_of_pressure(force, 0.25 * volume * corners[side][3], q);
+        put_corners(node, force, side);
+      }
+      ACUS_UNROLL
+      for (int i = 0; i < pair_nodes; ++i) sum.take(p, i, node[i]);
     }
     sum.finish();
   }

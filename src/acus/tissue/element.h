@@ -50,15 +50,34 @@ ACUS_INLINE void corner_forces_of_pressure(Lane (*force)[4], Lane pressure_v, co
   balance_corner_0(force);
 }
 
-// The edges of a field of padded node vectors on the elements.
+// The edges of a field of padded node vectors from a pair's first node to its others.
 template <class Real, class Lane>
 ACUS_INLINE void gather_edges(Lane* edge, const Real* field, const Offsets* offsets) {
-  Lane origin[4], corner[4];
-  gather_corner(origin, field, offsets, 0);
+  Lane origin[4], node[4];
+  gather_node(origin, field, offsets, 0);
   ACUS_UNROLL
-  for (int i = 0; i < 3; ++i) {
-    gather_corner(corner, field, offsets, i + 1);
-    for (int c = 0; c < 3; ++c) edge[3 * i + c] = corner[c] - origin[c];
+  for (int i = 0; i < pair_nodes - 1; ++i) {
+    gather_node(node, field, offsets, i + 1);
+    for (int c = 0; c < 3; ++c) edge[3 * i + c] = node[c] - origin[c];
+  }
+}
+
+// Which of a pair's nodes is a corner of one of its sides: the other side sees the shared face from behind.
+inline constexpr int node_of_corner(int side, int corner) {
+  return side == 0 || corner == 0 ? corner : corner == 3 ? 4 : 3 - corner;
+}
+template <class Lane>
+ACUS_INLINE void edges_of_side(Lane* of_side, const Lane* edge, int side) {
+  for (int i = 0; i < 3; ++i)
+    for (int c = 0; c < 3; ++c) of_side[3 * i + c] = edge[3 * (node_of_corner(side, i + 1) - 1) + c];
+}
+// To the nodes of a pair what its sides ask of their corners, one after the other.
+template <class Lane>
+ACUS_INLINE void put_corners(Lane (*node)[4], const Lane (*corner)[4], int side) {
+  for (int i = 0; i < 4; ++i) {
+    const int at = node_of_corner(side, i);
+    const bool is_first = side == 0 || i == 3;
+    for (int c = 0; c < 4; ++c) node[at][c] = is_first ? corner[i][c] : node[at][c] + corner[i][c];
   }
 }
 

@@ -135,17 +135,17 @@ ACUS_INLINE Lane load_part(const Real* p) {
   return lane;
 }
 
-// Corner `i` of the elements, from and to a field of padded node vectors: four numbers each. `offsets` are
-// those of TissueModel.
+// Node `i` of the pairs, from and to a field of padded node vectors: four numbers each. `offsets` are those
+// of TissueModel.
 template <class Real, class Lane>
-ACUS_INLINE void gather_corner(Lane* out, const Real* field, const Offsets* offsets, int i) {
+ACUS_INLINE void gather_node(Lane* out, const Real* field, const Offsets* offsets, int i) {
   NodeLane<Real> node[lanes_in<Real, Lane>];
   ACUS_UNROLL
   for (int l = 0; l < lanes_in<Real, Lane>; ++l) node[l] = numeric::load4(field + offsets[l][i]);
   into_lanes(out, node);
 }
 template <class Real>
-ACUS_INLINE void add_corner(Real* field, const Offsets* offsets, int i, const ElementLane<Real>* in) {
+ACUS_INLINE void add_node(Real* field, const Offsets* offsets, int i, const ElementLane<Real>* in) {
   NodeLane<Real> node[lane_count<Real>];
   out_of_lanes(node, in);
   ACUS_UNROLL
@@ -154,7 +154,7 @@ ACUS_INLINE void add_corner(Real* field, const Offsets* offsets, int i, const El
     numeric::store4(at, numeric::load4(at) + node[l]);
   }
 }
-// Adds the corners of a batch that comes in parts in the order in which add_corner would: corner by corner,
+// Adds the corners of a batch that comes in parts in the order in which add_node would: node by node,
 // and not part by part. A batch in one part is added at once.
 template <class Real, class Lane>
 class BatchSum {
@@ -162,13 +162,13 @@ class BatchSum {
   ACUS_INLINE BatchSum(Real* field, const Offsets* offsets) : field_(field), offsets_(offsets) {}
   ACUS_INLINE void take(int part, int i, const Lane* in) {
     if constexpr (whole)
-      add_corner(field_, offsets_, i, in);
+      add_node(field_, offsets_, i, in);
     else
       out_of_lanes(node_[i] + part * lanes_in<Real, Lane>, in);
   }
   ACUS_INLINE void finish() const {
     if constexpr (!whole)
-      for (int i = 0; i < 4; ++i)
+      for (int i = 0; i < pair_nodes; ++i)
         for (int l = 0; l < lane_count<Real>; ++l) {
           Real* at = field_ + offsets_[l][i];
           numeric::store4(at, numeric::load4(at) + node_[i][l]);
@@ -179,19 +179,20 @@ class BatchSum {
   static constexpr bool whole = lanes_in<Real, Lane> == lane_count<Real>;
   Real* field_;
   const Offsets* offsets_;
-  NodeLane<Real> node_[4][whole ? 1 : lane_count<Real>];
+  NodeLane<Real> node_[pair_nodes][whole ? 1 : lane_count<Real>];
 };
-// The sum over the four corners.
+// The sums over the four corners of either side.
 template <class Real, class Lane>
-ACUS_INLINE void sum_corners(Lane* out, const Real* field, const Offsets* offsets) {
-  NodeLane<Real> node[lanes_in<Real, Lane>];
+ACUS_INLINE void sum_corners(Lane (*out)[4], const Real* field, const Offsets* offsets) {
+  NodeLane<Real> node[2][lanes_in<Real, Lane>];
   ACUS_UNROLL
   for (int l = 0; l < lanes_in<Real, Lane>; ++l) {
     const Offsets& t = offsets[l];
-    node[l] = (numeric::load4(field + t[0]) + numeric::load4(field + t[1])) +
-              (numeric::load4(field + t[2]) + numeric::load4(field + t[3]));
+    const NodeLane<Real> face =
+        (numeric::load4(field + t[0]) + numeric::load4(field + t[1])) + numeric::load4(field + t[2]);
+    for (int side = 0; side < 2; ++side) node[side][l] = face + numeric::load4(field + t[3 + side]);
   }
-  into_lanes(out, node);
+  for (int side = 0; side < 2; ++side) into_lanes(out[side], node[side]);
 }
 
 }  // namespace acus::tissue

@@ -6,12 +6,12 @@ namespace acus::tissue {
 namespace {
 
 // Corner i's gradient at rest, 1/m.
-Vec3 gradient_at(const TissueModel& m, int tet, int corner) {
+Vec3 gradient_at(const TissueModel& m, int element, int corner) {
   Vec3 g = Vec3::Zero();
   for (int i = 0; i < 3; ++i) {
     if (corner != 0 && corner != i + 1) continue;
     const double sign = corner == 0 ? -1.0 : 1.0;
-    for (int c = 0; c < 3; ++c) g[c] += sign * m.gradient[lane_place(tet, 3 * i + c, 9)];
+    for (int c = 0; c < 3; ++c) g[c] += sign * m.gradient[lane_place(element, 3 * i + c, 9)];
   }
   return g;
 }
@@ -49,21 +49,21 @@ class Row {
 
 numeric::LowerBlocks rest_matrix(const TissueModel& m, double mass_factor, double stiffness_factor) {
   struct Corner {
-    int tet, corner;
+    int element, corner;
   };
   std::vector<std::vector<Corner>> around(m.nodes);  // the elements that meet at a node
-  for (int e = 0; e < m.tets; ++e)
+  for (int e : m.element)
     for (int i = 0; i < 4; ++i) around[m.corners[e][i]].push_back({e, i});
 
   std::vector<std::vector<Neighbour>> neighbours(m.kind == ElementKind::nodal_pressure ? m.nodes : 0);
   for (std::size_t a = 0; a < neighbours.size(); ++a)
     for (const Corner& at : around[a])
       for (int j = 0; j < 4; ++j) {
-        const int node = m.corners[at.tet][j];
+        const int node = m.corners[at.element][j];
         auto known = std::find_if(neighbours[a].begin(), neighbours[a].end(),
                                   [&](const Neighbour& n) { return n.node == node; });
         if (known == neighbours[a].end()) known = neighbours[a].insert(known, {.node = node});
-        known->dilation += 0.25 * m.volume[at.tet] * gradient_at(m, at.tet, j);
+        known->dilation += 0.25 * m.volume[at.element] * gradient_at(m, at.element, j);
       }
 
   numeric::LowerBlocks a;
@@ -71,14 +71,14 @@ numeric::LowerBlocks rest_matrix(const TissueModel& m, double mass_factor, doubl
   for (int i = 0; i < m.free_nodes; ++i) {
     row.at(i).block += mass_factor * m.node_mass[i] * Mat3::Identity();
     for (const Corner& at : around[i]) {
-      const Vec3 gi = gradient_at(m, at.tet, at.corner);
-      const double mu = m.step_shear[at.tet], lambda = m.step_lambda[at.tet];
+      const Vec3 gi = gradient_at(m, at.element, at.corner);
+      const double mu = m.step_shear[at.element], lambda = m.step_lambda[at.element];
       for (int k = 0; k < 4; ++k) {
-        const int j = m.corners[at.tet][k];
+        const int j = m.corners[at.element][k];
         if (j > i) continue;
-        const Vec3 gj = gradient_at(m, at.tet, k);
+        const Vec3 gj = gradient_at(m, at.element, k);
         row.at(j).block +=
-            stiffness_factor * m.volume[at.tet] *
+            stiffness_factor * m.volume[at.element] *
             (lambda * gi * gj.transpose() + mu * gj * gi.transpose() + mu * gi.dot(gj) * Mat3::Identity());
       }
     }

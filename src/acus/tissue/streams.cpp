@@ -1,7 +1,7 @@
 #include "acus/tissue/streams.h"
 
 #include "acus/numeric/simd.h"
-#include "acus/tissue/tissue_model.h"
+#include "acus/tissue/pairs.h"
 
 namespace acus::tissue {
 namespace {
@@ -22,23 +22,21 @@ ACUS_INLINE void move(Real* to, Real* from, std::size_t size) {
 ACUS_KERNEL void move_sum(float* to, float* from, std::size_t size) { move(to, from, size); }
 ACUS_KERNEL void move_sum(double* to, double* from, std::size_t size) { move(to, from, size); }
 
-std::size_t stream_length(std::size_t tets) {
-  if (tets < fewest_cut) return tets;
-  const std::size_t batches = (tets + padding - 1) / padding;
-  return (batches + most_streams - 1) / most_streams * padding;
+std::size_t stream_length(std::size_t elements) {
+  const std::size_t batches = (elements + batch_elements - 1) / batch_elements;
+  return elements < fewest_cut ? batches * batch_elements
+                               : (batches + most_streams - 1) / most_streams * batch_elements;
 }
 
-Streams build_streams(const std::vector<mesh::Tet>& padded, std::size_t tets, std::size_t nodes) {
+Streams build_streams(const std::vector<mesh::Tet>& corners, std::size_t nodes) {
   Streams s;
-  const std::size_t length = stream_length(tets);
-  for (std::size_t first = 0; first < tets; first += length)
-    s.elements.push_back({first, std::min(first + length, padded.size())});
-  s.elements.back().last = padded.size();
+  const std::size_t length = stream_length(corners.size());
+  for (std::size_t first = 0; first < corners.size(); first += length)
+    s.elements.push_back({first, std::min(first + length, corners.size())});
 
   std::vector<std::uint32_t> adding((nodes + block - 1) / block, 0);
-  for (std::size_t e = 0; e < padded.size(); ++e)
-    for (const int node : padded[e])
-      adding[node / block] |= std::uint32_t{1} << (std::min(e, tets - 1) / length);
+  for (std::size_t e = 0; e < corners.size(); ++e)
+    for (const int node : corners[e]) adding[node / block] |= std::uint32_t{1} << (e / length);
   for (std::uint32_t& some : adding)
     if (some == 0) some = 1;  // no element: the sum is the first one's zero
 

@@ -23,7 +23,7 @@ struct Streams {
     numeric::Range nodes;
     std::uint32_t adding = 1;  // bit s: stream s
   };
-  std::vector<numeric::Range> elements;  // [streams], all multiples of `padding`, the padding in the last
+  std::vector<numeric::Range> elements;  // [streams], multiples of `batch_elements`
   std::vector<Run> runs;                 // in the order of the nodes
   std::vector<std::size_t> first_run;    // [pieces + 1] of each piece of the nodes
 
@@ -42,9 +42,9 @@ struct Streams {
   void sum(numeric::NodeVectorOf<Real>& parts, const Team& team, const Take& take) const;
 };
 
-// Of how many elements a stream is, all but the last one.
-std::size_t stream_length(std::size_t tets);
-Streams build_streams(const std::vector<mesh::Tet>& padded, std::size_t tets, std::size_t nodes);
+// Of how many of so many elements a stream is, all but the last one.
+std::size_t stream_length(std::size_t elements);
+Streams build_streams(const std::vector<mesh::Tet>& corners, std::size_t nodes);
 
 // to += from; from = 0
 void move_sum(float* to, float* from, std::size_t size);

@@ -56,31 +56,31 @@ class PackedElements {
     batch_ = gradient_ + 9 * first + skipped;
     first_ = element_ + element_numbers * first + skipped;
   }
-  ACUS_INLINE Lane q(int k) const { return load_part<Lane>(batch_ + k * padding); }
+  ACUS_INLINE Lane q(int k) const { return load_part<Lane>(batch_ + k * batch_pairs); }
   ACUS_INLINE Lane mu_v() const { return load_part<Lane>(first_); }
-  ACUS_INLINE Lane lambda_v() const { return load_part<Lane>(first_ + padding); }
-  ACUS_INLINE Lane quarter_v() const { return load_part<Lane>(first_ + 2 * padding); }
+  ACUS_INLINE Lane lambda_v() const { return load_part<Lane>(first_ + batch_pairs); }
+  ACUS_INLINE Lane quarter_v() const { return load_part<Lane>(first_ + 2 * batch_pairs); }
 
  private:
   const float *gradient_, *element_;
   const float *batch_ = nullptr, *first_ = nullptr;
 };
 
-// Calls `respond` for the parts of each batch of elements with the part's own `offsets`, and adds up what it
-// puts.
+// Calls `respond` for the parts of each batch of pairs with the part's own `offsets`, and adds up what it
+// puts on their nodes.
 template <class Elements, class Respond, class Real = typename Elements::Real>
-ACUS_INLINE void add_elements(const TissueModel& m, Range elements, Elements s, Real* reaction,
-                              const Respond& respond) {
+ACUS_INLINE void add_pairs(const TissueModel& m, Range elements, const Elements& s, Real* reaction,
+                           const Respond& respond) {
   using Lane = typename Elements::Lane;
   constexpr int parts = lane_count<Real> / lanes_in<Real, Lane>;
-  for (std::size_t first = elements.first; first < elements.last; first += lane_count<Real>) {
-    const Offsets* offsets = m.offsets.data() + first;
+  for (std::size_t pair = elements.first / 2; pair < elements.last / 2; pair += lane_count<Real>) {
+    const Offsets* offsets = m.offsets.data() + pair;
     BatchSum<Real, Lane> sum(reaction, offsets);
     for (int part = 0; part < parts; ++part) {
-      s.go_to(first, part);
-      respond(
-          s, offsets + part * lanes_in<Real, Lane>,
-          [&](int i, const Lane* force) __attribute__((always_inline)) { sum.take(part, i, force); });
+      Lane node[pair_nodes][4];
+      respond(s, pair, part, offsets + part * lanes_in<Real, Lane>, node);
+      ACUS_UNROLL
+      for (int i = 0; i < pair_nodes; ++i) sum.take(part, i, node[i]);
     }
     sum.finish();
   }
@@ -91,22 +91,25 @@ template <bool with_dilation, class Elements, class Real = typename Elements::Re
 ACUS_INLINE void add_local(const TissueModel& m, Range range, const Elements& elements, const Real* field,
                            Real* reaction) {
   using Lane = typename Elements::Lane;
-  add_elements(
+  add_pairs(
       m, range, elements, reaction,
-      [&](const Elements& s, const Offsets* offsets, const auto& put) __attribute__((always_inline)) {
-        Lane edge[9], q[9], g[9], stress[6], force[4][4];
-        gather_edges(edge, field, offsets);
-        for (int k = 0; k < 9; ++k) q[k] = s.q(k);
-        gradient_of(g, edge, q);
-        const Lane trace = g[0] + g[4] + g[8];
-        stress_of(stress, g, trace, s.mu_v(), s.lambda_v());
-        corner_forces(force, stress, q);
-        ACUS_UNROLL
-        for (int i = 0; i < 4; ++i) {
-          force[i][3] = with_dilation ? s.quarter_v() * trace : Lane{};
-          put(i, force[i]);
-        }
-      });
+      [&](Elements s, std::size_t pair, int part, const Offsets* offsets, Lane(*node)[4])
+          __attribute__((always_inline)) {
+            Lane pair_edge[12], edge[9], q[9], g[9], stress[6], force[4][4];
+            gather_edges(pair_edge, field, offsets);
+            ACUS_UNROLL
+            for (int side = 0; side < 2; ++side) {
+              s.go_to(element_of_pair(pair, side), part);
+              edges_of_side(edge, pair_edge, side);
+              for (int k = 0; k < 9; ++k) q[k] = s.q(k);
+              gradient_of(g, edge, q);
+              const Lane trace = g[0] + g[4] + g[8];
+              stress_of(stress, g, trace, s.mu_v(), s.lambda_v());
+              corner_forces(force, stress, q);
+              for (auto& corner : force) corner[3] = with_dilation ? s.quarter_v() * trace : Lane{};
+              put_corners(node, force, side);
+            }
+          });
 }
 
 // Adds what the nodal pressures do: f_i += (V / 4) (sum over the corners of the pressure) q_i. A pressure
@@ -115,19 +118,20 @@ template <class Elements, class Real = typename Elements::Real>
 ACUS_INLINE void add_pressure(const TissueModel& m, Range range, const Elements& elements, const Real* field,
                               Real* reaction) {
   using Lane = typename Elements::Lane;
-  add_elements(
+  add_pairs(
       m, range, elements, reaction,
-      [&](const Elements& s, const Offsets* offsets, const auto& put) __attribute__((always_inline)) {
-        Lane sum[4], q[9], force[4][4];
-        sum_corners(sum, field, offsets);
-        for (int k = 0; k < 9; ++k) q[k] = s.q(k);
-        corner_forces_of_pressure(force, s.quarter_v() * sum[3], q);
-        ACUS_UNROLL
-        for (int i = 0; i < 4; ++i) {
-          force[i][3] = Lane{};
-          put(i, force[i]);
-        }
-      });
+      [&](Elements s, std::size_t pair, int part, const Offsets* offsets, Lane(*node)[4])
+          __attribute__((always_inline)) {
+            Lane sum[2][4], q[9], force[4][4] = {};
+            sum_corners(sum, field, offsets);
+            ACUS_UNROLL
+            for (int side = 0; side < 2; ++side) {
+              s.go_to(element_of_pair(pair, side), part);
+              for (int k = 0; k < 9; ++k) q[k] = s.q(k);
+              corner_forces_of_pressure(force, s.quarter_v() * sum[side][3], q);
+              put_corners(node, force, side);
+            }
+          });
 }
 
 // The same for either precision, clone by clone: what is handed to a team is not. A product reads its
@@ -215,7 +219,7 @@ void multiply(numeric::NodeVectorOf<Real>& y, const numeric::NodeVectorOf<Real>&
 
 SystemMatrix build_system_matrix(const TissueModel& model) {
   SystemMatrix a;
-  a.element.assign(model.offsets.size() * element_numbers, 0.0F);
+  a.element.assign(model.corners.size() * element_numbers, 0.0F);
   a.mass.assign(model.free_nodes, 0.0F);
   a.field.assign(static_cast<std::size_t>(model.nodes) * node_stride, 0.0);
   a.reaction.assign(model.streams.count() * a.field.size(), 0.0);
@@ -228,11 +232,11 @@ SystemMatrix build_system_matrix(const TissueModel& model) {
 void set_factors(SystemMatrix& out, const TissueModel& model, double mass_factor, double stiffness_factor) {
   out.mass_factor = mass_factor;
   out.stiffness_factor = stiffness_factor;
-  for (std::size_t e = 0; e < model.offsets.size(); ++e) {
-    float* to = &out.element[element_numbers * (e / padding * padding) + e % padding];
+  for (std::size_t e = 0; e < model.corners.size(); ++e) {
+    float* to = &out.element[element_numbers * (e / batch_pairs * batch_pairs) + e % batch_pairs];
     to[0] = static_cast<float>(stiffness_factor * model.step_shear[e] * model.volume[e]);
-    to[padding] = static_cast<float>(stiffness_factor * model.step_lambda[e] * model.volume[e]);
-    to[2 * padding] = static_cast<float>(0.25 * model.volume[e]);
+    to[batch_pairs] = static_cast<float>(stiffness_factor * model.step_lambda[e] * model.volume[e]);
+    to[2 * batch_pairs] = static_cast<float>(0.25 * model.volume[e]);
   }
   for (int i = 0; i < model.free_nodes; ++i)
     out.mass[i] = static_cast<float>(mass_factor * model.node_mass[i]);

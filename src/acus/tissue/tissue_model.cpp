@@ -13,17 +13,17 @@ Error element_error(int tet, const std::string& what) {
   return Error{"tetrahedron " + std::to_string(tet) + ": " + what};
 }
 
-void place_element(TissueModel& m, int tet, const Shape& shape, const Material& material, double volume) {
+void place_element(TissueModel& m, int e, const Shape& shape, const Material& material, double volume) {
   for (int i = 0; i < 3; ++i)
-    for (int c = 0; c < 3; ++c) m.gradient[lane_place(tet, 3 * i + c, 9)] = shape.gradient[i + 1][c];
-  m.volume[tet] = volume;
-  m.shear[tet] = shear_modulus(material);
+    for (int c = 0; c < 3; ++c) m.gradient[lane_place(e, 3 * i + c, 9)] = shape.gradient[i + 1][c];
+  m.volume[e] = volume;
+  m.shear[e] = shear_modulus(material);
   // mu |dev e|^2 = mu |e|^2 - (mu / 3) (tr e)^2: with the bulk part at the nodes only this remains here.
-  m.local_lambda[tet] =
+  m.local_lambda[e] =
       m.kind == ElementKind::linear ? lame_lambda(material) : -2.0 / 3.0 * shear_modulus(material);
-  const double stiffening = m.relaxation.stiffening() * m.shear[tet];
-  m.step_shear[tet] = m.shear[tet] + stiffening;
-  m.step_lambda[tet] = m.local_lambda[tet] - 2.0 / 3.0 * stiffening;
+  const double stiffening = m.relaxation.stiffening() * m.shear[e];
+  m.step_shear[e] = m.shear[e] + stiffening;
+  m.step_lambda[e] = m.local_lambda[e] - 2.0 / 3.0 * stiffening;
 }
 
 }  // namespace
@@ -36,13 +36,6 @@ Result<TissueModel> build_tissue_model(const mesh::TetMesh& mesh, std::span<cons
   m.nodes = static_cast<int>(mesh.nodes.size());
   m.free_nodes = free_nodes;
   m.tets = static_cast<int>(mesh.tets.size());
-  m.corners = mesh.tets;
-  const std::size_t padded = (mesh.tets.size() + padding - 1) / padding * padding;
-  m.gradient.assign(9 * padded, 0.0);
-  m.volume.assign(padded, 0.0);
-  m.shear.assign(padded, 0.0);
-  m.local_lambda.assign(padded, 0.0);
-  m.step_shear = m.step_lambda = m.local_lambda;
   m.node_mass.assign(mesh.nodes.size(), 0.0);
   m.node_volume.assign(mesh.nodes.size(), 0.0);
   std::vector<double> bulk(mesh.nodes.size(), 0.0);
@@ -58,26 +51,32 @@ Result<TissueModel> build_tissue_model(const mesh::TetMesh& mesh, std::span<cons
           material.poisson_ratio < 0.5))
       return element_error(
           e, "its material needs a positive modulus and density and a Poisson ratio in (-1, 0.5)");
-    place_element(m, e, shape, material, shape.volume);
     for (int node : t) {
       m.node_mass[node] += material.density * shape.volume / 4.0;
       m.node_volume[node] += shape.volume / 4.0;
       bulk[node] += bulk_modulus(material) * shape.volume / 4.0;
     }
   }
-  // The padding repeats the last element with no volume, so that kernels need no special case.
-  const mesh::Tet& last = mesh.tets.back();
-  const Shape shape =
-      shape_of(mesh.nodes[last[0]], mesh.nodes[last[1]], mesh.nodes[last[2]], mesh.nodes[last[3]]);
-  for (int e = m.tets; e < static_cast<int>(padded); ++e) {
-    m.corners.push_back(last);
-    place_element(m, e, shape, materials.back(), 0.0);
-  }
 
-  m.streams = build_streams(m.corners, mesh.tets.size(), mesh.nodes.size());
-  for (const mesh::Tet& t : m.corners) {
+  Pairing pairing = pair_up(mesh.tets);
+  m.element = std::move(pairing.element);
+  m.corners = std::move(pairing.corners);
+  const std::size_t elements = m.corners.size();
+  m.gradient.assign(9 * elements, 0.0);
+  m.volume.assign(elements, 0.0);
+  m.shear = m.local_lambda = m.step_shear = m.step_lambda = m.volume;
+  for (int e = 0; e < static_cast<int>(elements); ++e) {
+    const mesh::Tet& t = m.corners[e];
+    const int tet = pairing.tet[e];
+    const Shape shape = shape_of(mesh.nodes[t[0]], mesh.nodes[t[1]], mesh.nodes[t[2]], mesh.nodes[t[3]]);
+    place_element(m, e, shape, materials[tet], m.element[tet] == e ? shape.volume : 0.0);
+  }
+  m.streams = build_streams(m.corners, mesh.nodes.size());
+  for (std::size_t pair = 0; pair < elements / 2; ++pair) {
+    const mesh::Tet &one = m.corners[element_of_pair(pair, 0)], &other = m.corners[element_of_pair(pair, 1)];
     Offsets& of = m.offsets.emplace_back();
-    for (std::size_t i = 0; i < 4; ++i) of[i] = static_cast<std::uint32_t>(numeric::node_stride * t[i]);
+    for (std::size_t i = 0; i < 4; ++i) of[i] = static_cast<std::uint32_t>(numeric::node_stride * one[i]);
+    of[4] = static_cast<std::uint32_t>(numeric::node_stride * other[3]);
   }
 
   if (kind == ElementKind::nodal_pressure) {

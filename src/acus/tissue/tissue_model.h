@@ -10,35 +10,37 @@
 #include "acus/mesh/tet_mesh.h"
 #include "acus/tissue/element_kind.h"
 #include "acus/tissue/material.h"
+#include "acus/tissue/pairs.h"
 #include "acus/tissue/relaxation.h"
 #include "acus/tissue/streams.h"
 
 namespace acus::tissue {
 
-// Elements stand in groups of `lanes` side by side, as many as doubles fill 64 bytes; their count is padded
-// to a multiple of `padding`, as many as floats do.
+// Numbers of elements stand in groups of `lanes` side by side, as many as doubles fill 64 bytes.
 inline constexpr int lanes = 8;
-inline constexpr int padding = 16;
 
 // Where number `k` of `numbers` of an element stands in an array [groups][numbers][lanes].
-inline constexpr std::size_t lane_place(int tet, int k, int numbers) {
-  return (static_cast<std::size_t>(tet / lanes) * numbers + k) * lanes + tet % lanes;
+inline constexpr std::size_t lane_place(int element, int k, int numbers) {
+  return (static_cast<std::size_t>(element / lanes) * numbers + k) * lanes + element % lanes;
 }
 
-using Offsets = std::array<std::uint32_t, 4>;  // unsigned: an address is then one addition
+// Of the five nodes of a pair, those of the shared face first. Unsigned: an address is then one addition.
+inline constexpr int pair_nodes = 5;
+using Offsets = std::array<std::uint32_t, pair_nodes>;
 
 struct TissueModel {
   ElementKind kind = ElementKind::nodal_pressure;
   int nodes = 0;
   int free_nodes = 0;  // nodes 0 .. free_nodes - 1 move; the rest are held
-  int tets = 0;
+  int tets = 0;        // of the mesh
   RelaxationStep relaxation;
 
   Streams streams;
+  std::vector<int> element;          // [tets] which of the elements below it is (pairs.h)
   std::vector<mesh::Tet> corners;    // [groups][lanes]
-  std::vector<Offsets> offsets;      // [groups][lanes] where the corners stand in a node vector
+  std::vector<Offsets> offsets;      // [pairs] where their nodes stand in a node vector
   std::vector<double> gradient;      // [groups][9][lanes] 1/m: g_1, g_2, g_3 of Shape; g_0 = -(sum)
-  std::vector<double> volume;        // [groups][lanes] m^3; 0 in the padding
+  std::vector<double> volume;        // [groups][lanes] m^3; 0 of what only fills
   std::vector<double> shear;         // [groups][lanes] Pa, mu
   std::vector<double> local_lambda;  // [groups][lanes] Pa, acts on the element's own dilation
   // What the system matrix shows of the two: more by what a Maxwell branch adds to a step (relaxation.h).
@@ -49,7 +51,8 @@ struct TissueModel {
   std::vector<double> node_bulk_modulus;  // [nodes] Pa, volume-weighted mean; empty for linear
 };
 
-// `materials` has one entry per tetrahedron; `mesh` numbers its free nodes first. Errors: element and reason.
+// `materials` has one entry per tetrahedron; `mesh` numbers its free nodes first. Errors: tetrahedron and
+// reason.
 Result<TissueModel> build_tissue_model(const mesh::TetMesh& mesh, std::span<const Material> materials,
                                        ElementKind kind, int free_nodes,
                                        const RelaxationStep& relaxation = {});

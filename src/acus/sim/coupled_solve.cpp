@@ -133,20 +133,16 @@ void load_sticks(const Model& m, Scratch& w) {
 // own equation.
 numeric::SolveOutcome solve_tissue(const Model& m, State& s, Scratch& w, double rate, double exactness,
                                    double& target, const StepProbe& probe) {
-  numeric::copy_into(w.right_hand_side, w.momentum, w.team);
-  add_held(w.right_hand_side, m, w, rate, 1.0);
   double load = 0.0;
   for (const HeldPoint& p : w.held)
     load +=
         std::abs(coupling::advance(p.slider, m.scene.run.time_step * (rate - tissue_rate(m, s, p))).force);
   target = exactness * residual_target(m, w, load);
-  numeric::copy_into(w.residual, w.imbalance, w.team);
-  add_held(w.residual, m, w, rate, 1.0);
-  add_sticks(w.residual, m, w, s.velocity, -1.0);
+  add_held(w.imbalance, m, w, rate, 1.0);
+  add_sticks(w.imbalance, m, w, s.velocity, -1.0);
   probe(StepPart::coupling);
   const numeric::SolveOutcome outcome = improve_velocity(m, s, w, target, Product{m, w});
   probe(StepPart::solve);
-  numeric::copy_into(w.imbalance, w.residual, w.team);
   add_held(w.imbalance, m, w, rate, -1.0);
   add_sticks(w.imbalance, m, w, s.velocity);
   return outcome;
@@ -171,7 +167,7 @@ double line_search(const Model& m, const State& s, Scratch& w, double hand_trave
     p.rate_before = coupling::along(*p.at, w.velocity_tried, m.path.direction);
     p.rate_change = tissue_rate(m, s, p) - p.rate_before;
   }
-  NodeVector& change = w.right_hand_side;
+  NodeVector& change = w.change;
   numeric::copy_into(change, s.velocity, w.team);
   numeric::add_scaled_into(change, -1.0, w.velocity_tried, w.team);
   const double slope_at_start = -numeric::dot(change, w.imbalance_tried, w.team);

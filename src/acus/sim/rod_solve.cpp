@@ -187,7 +187,7 @@ double line_search(const Model& m, State& s, Scratch& w, const needle::Pose& hub
   }
   double tissue_slope = 0.0, tissue_curvature = 0.0;
   if (!m.rigid()) {
-    NodeVector& change = w.right_hand_side;
+    NodeVector& change = w.change;
     numeric::copy_into(change, s.velocity, w.team);
     numeric::add_scaled_into(change, -1.0, w.velocity_tried, w.team);
     tissue_slope = -numeric::dot(change, w.imbalance_tried, w.team);
@@ -218,24 +218,20 @@ bool improve(const Model& m, State& s, Scratch& w, RodOutcome& outcome, const St
     w.rod.free_answer = motion.residual;
     motion.matrix.solve(w.rod.free_answer.data());
     probe(StepPart::rod);
-    numeric::copy_into(w.right_hand_side, w.momentum, w.team);
-    add_contacts(w.right_hand_side, m, s, w, 1.0);
     double load = 0.0;
     for (const RodContact& c : w.rod.contacts)
       load += contact_load(c, m.scene.run.time_step * (at_contact(s.needle.rod.rate, c) - tissue_rate(s, c)))
                   .norm();
     const Product product{m, w};
-    numeric::copy_into(w.residual, w.imbalance, w.team);
-    add_contacts(w.residual, m, s, w, 1.0);
-    product.add_rod(w.residual, s.velocity, -1.0);
+    add_contacts(w.imbalance, m, s, w, 1.0);
+    product.add_rod(w.imbalance, s.velocity, -1.0);
     probe(StepPart::coupling);
     const double target = residual_target(m, w, load);
-    const double start = std::sqrt(numeric::dot(w.residual, w.residual, w.team));
+    const double start = std::sqrt(numeric::dot(w.imbalance, w.imbalance, w.team));
     const numeric::SolveOutcome solve =
         improve_velocity(m, s, w, start > far * target ? forcing * start : target, product);
     outcome.tissue_solved = solve.residual_norm <= target;
     probe(StepPart::solve);
-    numeric::copy_into(w.imbalance, w.residual, w.team);
     add_contacts(w.imbalance, m, s, w, -1.0);
     product.add_rod(w.imbalance, s.velocity, 1.0);
     probe(StepPart::coupling);

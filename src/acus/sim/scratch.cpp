@@ -21,8 +21,8 @@ Scratch build_scratch(const Model& m, int threads) {
     w.exact_solver = numeric::SolveScratch<double>(m.tissue.free_nodes);
   w.coarse = numeric::build_scratch(m.coarse);
   const std::size_t size = static_cast<std::size_t>(m.tissue.free_nodes) * numeric::node_stride;
-  for (numeric::NodeVector* v : {&w.momentum, &w.imbalance, &w.right_hand_side, &w.residual,
-                                 &w.velocity_before, &w.velocity_tried, &w.imbalance_tried})
+  for (numeric::NodeVector* v :
+       {&w.momentum, &w.imbalance, &w.change, &w.velocity_before, &w.velocity_tried, &w.imbalance_tried})
     v->assign(size, 0.0);
   w.stick_load.assign(size, 0.0F);
   w.answer.assign(size, 0.0F);

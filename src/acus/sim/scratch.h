@@ -59,15 +59,16 @@ struct Scratch {
   numeric::SolveScratch<double> exact_solver;  // where the scene asks for double precision
   numeric::CoarseScratch coarse;
   numeric::NodeVector momentum;  // M v0 + h f_el + impulses that do not depend on the step
-  // What the tissue's own equation is short of with state.velocity: momentum - A v. Contacts make up for it.
+  double momentum_norm = 0.0;
+  // What the tissue's own equation is short of with state.velocity: momentum - A v. Contacts make up for it:
+  // during a solve it is the residual of the equation with them.
   numeric::NodeVector imbalance;
-  numeric::NodeVector right_hand_side;
-  numeric::NodeVector residual;             // of the equation with the contacts
   numeric::NodeVectorOf<float> stick_load;  // answer wanted for a unit rate of the needle
   numeric::NodeVector velocity_before;      // at the start of the step
 
   numeric::NodeVector velocity_tried;   // at the start of a line search
   numeric::NodeVector imbalance_tried;  // there
+  numeric::NodeVector change;           // of the velocity, over the whole of it
   numeric::NodeVectorOf<float> answer;  // as state.influence, for resistance()
   std::vector<HeldPoint> held;          // of a column: the tip first
   RodScratch rod;                       // of a rod

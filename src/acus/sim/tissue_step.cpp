@@ -28,6 +28,7 @@ void form_momentum(const Model& m, const State& s, Scratch& w) {
 }
 
 void begin_tissue(const Model& m, State& s, Scratch& w) {
+  w.momentum_norm = std::sqrt(numeric::dot(w.momentum, w.momentum, w.team));
   numeric::copy_into(w.velocity_before, s.velocity, w.team);
   // On along a line. A parabola or a cubic misses a smooth motion by less, but whatever the solves before
   // left over it makes more of: 4 and 8 times as much, a line twice.
@@ -39,19 +40,19 @@ void begin_tissue(const Model& m, State& s, Scratch& w) {
 numeric::SolveOutcome improve_in_double(
     const Model& m, State& s, Scratch& w, double target,
     const std::function<void(numeric::NodeVector&, const numeric::NodeVector&)>& multiply) {
-  return numeric::improve_in_double_into(s.velocity, w.residual, target, max_iterations, w.exact_solver,
+  return numeric::improve_in_double_into(s.velocity, w.imbalance, target, max_iterations, w.exact_solver,
                                          w.solver.single, multiply, preconditioner(m, w), w.team);
 }
 
 double residual_target(const Model& m, const Scratch& w, double load) {
-  const double momentum = std::sqrt(numeric::dot(w.right_hand_side, w.right_hand_side, w.team));
-  return m.scene.run.solver_tolerance * (momentum + m.scene.run.time_step * std::max(load, m.least_load));
+  return m.scene.run.solver_tolerance *
+         (w.momentum_norm + m.scene.run.time_step * std::max(load, m.least_load));
 }
 
 void move_tissue(const Model& m, State& s, Scratch& w, TissueBefore& before, const StepProbe& probe) {
   const double h = m.scene.run.time_step;
-  numeric::copy_into(s.velocity_change, s.velocity, w.team);
-  numeric::add_scaled_into(s.velocity_change, -1.0, w.velocity_before, w.team);
+  numeric::scale_and_add_into(w.velocity_before, -1.0, s.velocity, w.team);
+  std::swap(s.velocity_change, w.velocity_before);
   before.elastic_work =
       h * numeric::dot(std::span(w.corotation.elastic_force).first(s.velocity.size()), s.velocity, w.team);
   before.matrix_product =

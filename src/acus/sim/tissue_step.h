@@ -24,8 +24,8 @@ void form_momentum(const Model& model, const State& state, Scratch& scratch);
 // complete.
 void begin_tissue(const Model& model, State& state, Scratch& scratch);
 
-// N s, what a solve may leave of `right_hand_side`: the scene's tolerance of that and of the `load` [N] on
-// the tissue. In a slow insertion the first is what hardly moves, a hundredth of the load and less.
+// N s, what a solve may leave: the scene's tolerance of the momentum and of the `load` [N] on the tissue. In
+// a slow insertion the first is what hardly moves, a hundredth of the load and less.
 double residual_target(const Model& model, const Scratch& scratch, double load);
 
 // Jacobi by the blocks of the nodes and a coarse grid, for the matrix of the tissue alone.
@@ -44,14 +44,14 @@ numeric::SolveOutcome improve_in_double(
     const Model& m, State& s, Scratch& w, double target,
     const std::function<void(numeric::NodeVector&, const numeric::NodeVector&)>& multiply);
 
-// Improves the tissue's velocity until `w.residual`, which is what it leaves, is below `target`, in the
+// Improves the tissue's velocity until `w.imbalance`, which is what it leaves, is below `target`, in the
 // precision that the scene asks for; multiply as in numeric::improve_refined_into.
 template <class Multiply>
 numeric::SolveOutcome improve_velocity(const Model& m, State& s, Scratch& w, double target,
                                        const Multiply& multiply) {
   numeric::SolveOutcome outcome =
       m.scene.run.solver_precision == Precision::single_
-          ? numeric::improve_refined_into(s.velocity, w.residual, target, max_iterations, w.solver, multiply,
+          ? numeric::improve_refined_into(s.velocity, w.imbalance, target, max_iterations, w.solver, multiply,
                                           preconditioner(m, w), w.team)
           : improve_in_double(m, s, w, target, std::cref(multiply));
   outcome.broke_down = outcome.broke_down || outcome.residual_norm > target;

@@ -1,5 +1,7 @@
 #include "acus/sim/scratch.h"
 
+#include "acus/sim/tissue_step.h"
+
 namespace acus {
 
 Scratch build_scratch(const Model& m, int threads) {
@@ -13,7 +15,9 @@ Scratch build_scratch(const Model& m, int threads) {
   }
   if (m.rigid()) return w;
   w.team = Team(threads);
-  w.corotation = tissue::build_corotation(m.tissue);
+  w.corotation =
+      tissue::build_corotation(m.tissue, single_precision_will_do(m.scene) ? tissue::ForcePrecision::single
+                                                                           : tissue::ForcePrecision::exact);
   w.matrix = tissue::build_system_matrix(m.tissue);
   tissue::set_factors(w.matrix, m.tissue, m.factors.mass, m.factors.stiffness);
   w.solver = numeric::RefinedScratch(m.tissue.free_nodes);

@@ -7,12 +7,9 @@ namespace acus {
 
 namespace {
 
-// y = A x as exactly as the scene's tolerance asks for. What floats lose of x is a share of its inertia and
-// of the forces of one step's motion, both a thousandth of the load and less.
+// y = A x as exactly as the scene's tolerance asks for.
 void multiply_as_exactly(numeric::NodeVector& y, const Model& m, Scratch& w, const numeric::NodeVector& x) {
-  constexpr double floats_will_do =
-      1e-6;  // of the load: where all of it is what a step changes, they lose 6e-8
-  if (m.scene.run.solver_tolerance < floats_will_do || m.scene.run.solver_precision == Precision::double_)
+  if (!single_precision_will_do(m.scene))
     return tissue::multiply_into(y, m.tissue, w.corotation, w.matrix, x, w.team);
   numeric::NodeVectorOf<float>&single = w.solver.single.direction, &product = w.solver.single.product;
   numeric::scale_into(single, 1.0, x, w.team);
@@ -21,6 +18,11 @@ void multiply_as_exactly(numeric::NodeVector& y, const Model& m, Scratch& w, con
 }
 
 }  // namespace
+
+bool single_precision_will_do(const Scene& scene) {
+  constexpr double least_tolerance = 1e-6;  // of the load
+  return scene.run.solver_tolerance >= least_tolerance && scene.run.solver_precision == Precision::single_;
+}
 
 void form_momentum(const Model& m, const State& s, Scratch& w) {
   tissue::momentum_into(w.momentum, m.tissue, s.velocity, w.corotation.elastic_force, m.scene.run.time_step,

@@ -17,6 +17,10 @@ struct TissueBefore {
       0.0;  // kg m^2/s^2, v . A v with the matrix at the beginning and the step's velocity
 };
 
+// Whether single precision will do for all that a step computes afresh: what it loses of the step's motion
+// and of the stresses is a ten millionth of the load, and the scene's tolerance is more.
+bool single_precision_will_do(const Scene& scene);
+
 // The momentum at the present positions, without the needle.
 void form_momentum(const Model& model, const State& state, Scratch& scratch);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "acus/numeric/polar.h"
+#include "acus/tissue/pressure.h"
 #include "acus/tissue/tracked_rotation.h"
 
 namespace acus::tissue {
@@ -18,9 +19,9 @@ constexpr int parts = lanes / width;           // parts in a batch of eight elem
 
 // Elements side by side. Matrices are column by column: entry (r, c) at 3 c + r.
 struct Part {
-  Lane edge[9];      // x_i - x_0 of corners 1 to 3, m
-  Lane q[9];         // rotated gradients, 1/m
-  Lane force[4][4];  // N, corner by corner; beside it the share V tr(e) / 4 of the nodes' mean dilations
+  Lane edge[9];  // x_i - x_0 of corners 1 to 3, m
+  Lane q[9];     // rotated gradients, 1/m
+  Lane stress[stress_numbers_with_skew];
 };
 
 // What a kernel sums up over the elements of a stream, lane by lane.
@@ -29,7 +30,16 @@ struct Sums {
   int safe_rotations = 0;
 };
 
+// Where the `numbers` of an element begin in an array of groups as wide as 64 bytes.
+template <class Real>
+ACUS_INLINE std::size_t place_of(std::size_t first, int numbers) {
+  constexpr std::size_t group = numeric::lane_count<Real>;
+  return numbers * (first / group * group) + first % group;
+}
 ACUS_INLINE void store_part(double* to, const Lane& v) { std::memcpy(to, &v, sizeof v); }
+ACUS_INLINE void store_part(float* to, const Lane& v) {
+  for (int l = 0; l < width; ++l) to[l] = static_cast<float>(v[l]);
+}
 
 // One element by itself, from its rest state, whatever it was before and is now.
 void rotate_safely(Part& b, int l, const double* gradient) {
@@ -171,11 +181,11 @@ ACUS_INLINE void add_branch(const Part& b, Sums& sums, int part, const BranchPar
   skew_stress(z, stretch, pull);
 }
 
-// Strain, energy and force. `branch` is a BranchPart, or nothing.
+// Strain, energy and stress. `branch` is a BranchPart, or nothing.
 template <class... Branch>
-ACUS_INLINE void respond(Part& b, Sums& sums, int part, Lane volume, Lane mu, Lane lambda,
-                         const Branch&... branch) {
-  Lane f[9], s[6];
+ACUS_INLINE void strain(Part& b, Sums& sums, int part, Lane volume, Lane mu, Lane lambda,
+                        const Branch&... branch) {
+  Lane f[9];
   gradient_of(f, b.edge, b.q);
   const Lane e[6] = {f[0] - 1.0,          f[4] - 1.0,          f[8] - 1.0,
                      0.5 * (f[1] + f[3]), 0.5 * (f[2] + f[6]), 0.5 * (f[5] + f[7])};
@@ -184,33 +194,22 @@ ACUS_INLINE void respond(Part& b, Sums& sums, int part, Lane volume, Lane mu, La
       e[0] * e[0] + e[1] * e[1] + e[2] * e[2] + 2.0 * (e[3] * e[3] + e[4] * e[4] + e[5] * e[5]);
   sums.energy[part] += volume * (mu * square + 0.5 * lambda * trace * trace);
   const Lane minus_two_mu_v = -2.0 * mu * volume, minus_bulk_v = -lambda * volume * trace;
-  for (int k = 0; k < 6; ++k) s[k] = minus_two_mu_v * e[k];
-  for (int k = 0; k < 3; ++k) s[k] += minus_bulk_v;
-  if constexpr (sizeof...(branch) > 0) {
-    Lane z[3];
-    add_branch(b, sums, part, branch..., s, z, e, 2.0 * mu * volume);
-    corner_forces(b.force, s, b.q);
-    for (int i = 0; i < 3; ++i) {
-      const Lane x = b.q[3 * i], y = b.q[3 * i + 1], w = b.q[3 * i + 2];
-      b.force[i + 1][0] -= z[1] * w - z[2] * y;
-      b.force[i + 1][1] -= z[2] * x - z[0] * w;
-      b.force[i + 1][2] -= z[0] * y - z[1] * x;
-    }
-    balance_corner_0(b.force);
-  } else {
-    corner_forces(b.force, s, b.q);
-  }
-  for (auto& force : b.force) force[3] = 0.25 * volume * trace;
+  for (int k = 0; k < 6; ++k) b.stress[k] = minus_two_mu_v * e[k];
+  for (int k = 0; k < 3; ++k) b.stress[k] += minus_bulk_v;
+  b.stress[6] = 0.25 * volume * trace;
+  if constexpr (sizeof...(branch) > 0)
+    add_branch(b, sums, part, branch..., b.stress, b.stress + stress_numbers, e, 2.0 * mu * volume);
 }
 
-// Adds the elements' forces to `to`. `branch` is a MaxwellBranch, or nothing.
-template <class... Branch>
-ACUS_INLINE Sums each_element(double* to, Range elements, Corotation& out, const TissueModel& m,
-                              Branch&... branch) {
+// Takes the elements to the positions in `field`. `branch` is a MaxwellBranch, or nothing.
+template <class Real, class... Branch>
+ACUS_INLINE Sums each_element(Range elements, Corotation& out, std::vector<Real>& stresses,
+                              const TissueModel& m, Branch&... branch) {
+  const int numbers = numbers_of_stress(m);
   Sums sums;
   for (std::size_t pair = elements.first / 2; pair < elements.last / 2; pair += lanes) {
     const Offsets* offsets = m.offsets.data() + pair;
-    Lane edge[parts][12], force[parts][pair_nodes][4];
+    Lane edge[parts][12];
     for (int p = 0; p < parts; ++p) gather_edges(edge[p], out.field.data(), offsets + p * width);
     ACUS_UNROLL
     for (int side = 0; side < 2; ++side) {
@@ -218,7 +217,8 @@ ACUS_INLINE Sums each_element(double* to, Range elements, Corotation& out, const
       Part batch[parts];
       const double* gradient = &m.gradient[9 * first];
       double* q = &out.rotated_gradient[9 * first];
-      float* single = &out.single_gradient[9 * (first / batch_pairs * batch_pairs) + first % batch_pairs];
+      float* single = &out.single_gradient[place_of<float>(first, 9)];
+      Real* stress = &stresses[place_of<Real>(first, numbers)];
       for (int p = 0; p < parts; ++p) {
         edges_of_side(batch[p].edge, edge[p], side);
         for (int k = 0; k < 9; ++k) batch[p].q[k] = load_part<Lane>(q + p * width + k * lanes);
@@ -230,84 +230,69 @@ ACUS_INLINE Sums each_element(double* to, Range elements, Corotation& out, const
         [[maybe_unused]] const std::size_t of_branch = strain_numbers * first + p * width;
         for (int k = 0; k < 9; ++k) {
           store_part(q + p * width + k * lanes, b.q[k]);
-          for (int l = 0; l < width; ++l)
-            single[k * batch_pairs + p * width + l] = static_cast<float>(b.q[k][l]);
+          store_part(single + p * width + k * numeric::lane_count<float>, b.q[k]);
         }
-        respond(b, sums, p, load_part<Lane>(&m.volume[at]), load_part<Lane>(&m.shear[at]),
-                load_part<Lane>(&m.local_lambda[at]),
-                BranchPart{m.relaxation, &branch.spring[of_branch], &branch.strain[of_branch],
-                           gradient + p * width}...);
-        put_corners(force[p], b.force, side);
+        strain(b, sums, p, load_part<Lane>(&m.volume[at]), load_part<Lane>(&m.shear[at]),
+               load_part<Lane>(&m.local_lambda[at]),
+               BranchPart{m.relaxation, &branch.spring[of_branch], &branch.strain[of_branch],
+                          gradient + p * width}...);
+        if (sizeof...(branch) == 0)
+          for (int k = stress_numbers; k < numbers; ++k) b.stress[k] = Lane{};
+        for (int k = 0; k < numbers; ++k)
+          store_part(stress + p * width + k * numeric::lane_count<Real>, b.stress[k]);
       }
     }
-    BatchSum<double, Lane> sum(to, offsets);
-    for (int p = 0; p < parts; ++p) {
-      ACUS_UNROLL
-      for (int i = 0; i < pair_nodes; ++i) sum.take(p, i, force[p][i]);
-    }
-    sum.finish();
   }
   return sums;
 }
 
-ACUS_KERNEL Sums corotate_elements(double* to, Range elements, Corotation& out, const TissueModel& m) {
-  return each_element(to, elements, out, m);
+// Clone by clone: what is handed to a team is not.
+ACUS_KERNEL Sums take_elements(Range elements, Corotation& out, std::vector<double>& stresses,
+                               const TissueModel& m) {
+  return each_element(elements, out, stresses, m);
 }
-
-ACUS_KERNEL Sums corotate_and_relax_elements(double* to, Range elements, Corotation& out,
-                                             MaxwellBranch& branch, const TissueModel& m) {
-  return each_element(to, elements, out, m, branch);
+ACUS_KERNEL Sums take_elements(Range elements, Corotation& out, std::vector<float>& stresses,
+                               const TissueModel& m) {
+  return each_element(elements, out, stresses, m);
+}
+ACUS_KERNEL Sums take_elements(Range elements, Corotation& out, std::vector<double>& stresses,
+                               const TissueModel& m, MaxwellBranch& branch) {
+  return each_element(elements, out, stresses, m, branch);
+}
+ACUS_KERNEL Sums take_elements(Range elements, Corotation& out, std::vector<float>& stresses,
+                               const TissueModel& m, MaxwellBranch& branch) {
+  return each_element(elements, out, stresses, m, branch);
 }
 
 // Mean dilations and their pressures from the sums beside the forces, which are cleared. Returns `energy`
 // with that of the pressures.
-ACUS_KERNEL double dilate(double* sum, Range nodes, Corotation& out, const TissueModel& m, double energy) {
+template <class Real>
+double dilate(Real* sum, Range nodes, Corotation& out, StressesOf<Real>& stresses, const TissueModel& m,
+              double energy) {
   for (std::size_t a = nodes.first; a < nodes.last; ++a) {
-    double& dilated = sum[node_stride * a + 3];
+    Real& dilated = sum[node_stride * a + 3];
     out.dilation[a] = dilated / m.node_volume[a];
-    double& pressure = out.field[node_stride * a + 3];
-    pressure = -m.node_bulk_modulus[a] * out.dilation[a];
+    const double pressure = -m.node_bulk_modulus[a] * out.dilation[a];
     energy -= 0.5 * pressure * dilated;
-    dilated = 0.0;
+    stresses.pressure[node_stride * a + 3] = static_cast<Real>(pressure);
+    dilated = Real{};
   }
   return energy;
 }
 
-// The nodal pressures' force: f_i -= (V / 4) (sum over the corners of kappa theta) R g_i.
-ACUS_KERNEL void press_elements(double* to, Range elements, const Corotation& out, const TissueModel& m) {
-  for (std::size_t pair = elements.first / 2; pair < elements.last / 2; pair += lanes) {
-    const Offsets* offsets = m.offsets.data() + pair;
-    BatchSum<double, Lane> sum(to, offsets);
-    for (int p = 0; p < parts; ++p) {
-      Lane corners[2][4], q[9], force[4][4] = {}, node[pair_nodes][4];
-      sum_corners(corners, out.field.data(), offsets + p * width);
-      ACUS_UNROLL
-      for (int side = 0; side < 2; ++side) {
-        const std::size_t first = element_of_pair(pair, side);
-        for (int k = 0; k < 9; ++k)
-          q[k] = load_part<Lane>(&out.rotated_gradient[9 * first + p * width + k * lanes]);
-        const Lane volume = load_part<Lane>(&m.volume[first + p * width]);
-        corner_forces_of_pressure(force, 0.25 * volume * corners[side][3], q);
-        put_corners(node, force, side);
-      }
-      ACUS_UNROLL
-      for (int i = 0; i < pair_nodes; ++i) sum.take(p, i, node[i]);
-    }
-    sum.finish();
-  }
-}
-
-// `corotate(to, elements)` is what is to be done with the elements.
-template <class Corotate>
-void evaluate(Corotation& out, const TissueModel& m, std::span<const Vec3> positions, const Team& team,
-              const Corotate& corotate) {
+// `branch` is a MaxwellBranch, or nothing.
+template <class Real, class... Branch>
+void evaluate(Corotation& out, StressesOf<Real>& stresses, const std::vector<Real>& gradient,
+              const TissueModel& m, std::span<const Vec3> positions, const Team& team, Branch&... branch) {
   numeric::each_piece(out.field.size(), team, [&](Range r) {
     for (std::size_t at = r.first; at < r.last; at += node_stride)
       numeric::store4(&out.field[at], numeric::load3(positions[at / node_stride].data()));
   });
   std::array<Sums, most_streams> sums;
-  m.streams.add(out.parts, team,
-                [&](double* to, Range elements, int stream) { sums[stream] = corotate(to, elements); });
+  m.streams.add(stresses.parts, team, [&](Real* to, Range elements, int stream) {
+    sums[stream] = take_elements(elements, out, stresses.number, m, branch...);
+    add_forces(to, m, elements, stresses, gradient);
+  });
   out.energy = out.relaxed = 0.0;
   out.safe_rotations = 0;
   for (int s = 0; s < m.streams.count(); ++s) {
@@ -317,49 +302,58 @@ void evaluate(Corotation& out, const TissueModel& m, std::span<const Vec3> posit
   }
   if (m.kind == ElementKind::nodal_pressure) {
     std::array<double, numeric::most_pieces> energy{out.energy};
-    m.streams.sum(out.parts, team, [&](double* sum, Range nodes, int piece) {
-      energy[piece] = dilate(sum, nodes, out, m, energy[piece]);
+    m.streams.sum(stresses.parts, team, [&](Real* sum, Range nodes, int piece) {
+      energy[piece] = dilate(sum, nodes, out, stresses, m, energy[piece]);
     });
     out.energy = energy[0];
     for (int piece = 1; piece < numeric::most_pieces; ++piece) out.energy += energy[piece];
-    m.streams.add(out.parts, team,
-                  [&](double* to, Range elements, int) { press_elements(to, elements, out, m); });
+    m.streams.add(stresses.parts, team, [&](Real* to, Range elements, int) {
+      press(to, m, elements, gradient, stresses.pressure);
+    });
   }
-  m.streams.sum(out.parts, team, [&](double* sum, Range nodes, int) {
+  m.streams.sum(stresses.parts, team, [&](Real* sum, Range nodes, int) {
     for (std::size_t at = node_stride * nodes.first; at < node_stride * nodes.last; at += node_stride) {
-      sum[at + 3] = 0.0;
-      numeric::store4(&out.elastic_force[at], numeric::load4(sum + at));
-      numeric::store4(sum + at, numeric::Lane4{});
+      for (int c = 0; c < 3; ++c) out.elastic_force[at + c] = sum[at + c];
+      numeric::store4(sum + at, numeric::NodeLane<Real>{});
     }
   });
   out.finite = std::isfinite(out.energy);
 }
 
+template <class... Branch>
+void evaluate(Corotation& out, const TissueModel& m, std::span<const Vec3> positions, const Team& team,
+              Branch&... branch) {
+  if (out.single.number.empty())
+    evaluate(out, out.exact, out.rotated_gradient, m, positions, team, branch...);
+  else
+    evaluate(out, out.single, out.single_gradient, m, positions, team, branch...);
+}
+
 }  // namespace
 
-Corotation build_corotation(const TissueModel& model) {
+Corotation build_corotation(const TissueModel& model, ForcePrecision precision) {
   Corotation c;
   c.rotated_gradient = model.gradient;
   c.single_gradient.assign(model.gradient.size(), 0.0F);
   c.elastic_force.assign(static_cast<std::size_t>(model.nodes) * node_stride, 0.0);
   c.field = c.elastic_force;
-  c.parts.assign(model.streams.count() * c.field.size(), 0.0);
+  if (precision == ForcePrecision::single)
+    c.single = build_stresses<float>(model);
+  else
+    c.exact = build_stresses<double>(model);
   if (model.kind == ElementKind::nodal_pressure) c.dilation.assign(model.nodes, 0.0);
   return c;
 }
 
 void corotate_into(Corotation& out, const TissueModel& model, std::span<const Vec3> positions,
                    const Team& team) {
-  evaluate(out, model, positions, team,
-           [&](double* to, Range elements) { return corotate_elements(to, elements, out, model); });
+  evaluate(out, model, positions, team);
 }
 
 void corotate_into(Corotation& out, MaxwellBranch& branch, const TissueModel& model,
                    std::span<const Vec3> positions, const Team& team) {
-  if (!model.relaxation.relaxes()) return corotate_into(out, model, positions, team);
-  evaluate(out, model, positions, team, [&](double* to, Range elements) {
-    return corotate_and_relax_elements(to, elements, out, branch, model);
-  });
+  if (!model.relaxation.relaxes()) return evaluate(out, model, positions, team);
+  evaluate(out, model, positions, team, branch);
 }
 
 }  // namespace acus::tissue

@@ -13,6 +13,7 @@
 
 #include "acus/base/vec.h"
 #include "acus/numeric/node_vector.h"
+#include "acus/tissue/stresses.h"
 #include "acus/tissue/tissue_model.h"
 
 namespace acus::tissue {
@@ -27,12 +28,13 @@ struct Corotation {
   bool finite = true;                  // false as soon as a position is not a number
   int safe_rotations = 0;              // elements that needed the slow, safe rotation
 
-  // Working memory: positions, with the nodal pressures beside them, [nodes]; what each stream adds to the
-  // nodes, [streams][nodes], zero in between.
-  numeric::NodeVector field, parts;
+  // Working memory: the positions, and the stresses in the precision that was chosen.
+  numeric::NodeVector field;
+  StressesOf<double> exact;
+  StressesOf<float> single;
 };
 
-Corotation build_corotation(const TissueModel& model);
+Corotation build_corotation(const TissueModel& model, ForcePrecision precision = ForcePrecision::exact);
 
 // Evaluates all of it, but for the branches, at `positions` (one per node, m).  Rotations go on from those
 // before, of whatever configuration. Inverted, flat and collapsed elements are allowed.

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
-#include "acus/tissue/element.h"
+#include "acus/tissue/pair_sums.h"
+#include "acus/tissue/pressure.h"
 
 namespace acus::tissue {
 namespace {
@@ -14,166 +15,105 @@ using numeric::node_stride;
 using numeric::Range;
 using numeric::store4;
 
-// Numbers of eight elements, straight from where they are kept, part by part.
-class ExactElements {
+// V mu and V lambda with the factor, of elements side by side: straight from where they are kept,
+class ExactModuli {
  public:
-  using Real = double;
   using Lane = ExactLane;
-  ACUS_INLINE ExactElements(const TissueModel& m, const Corotation& corotation, double factor)
-      : gradient_(corotation.rotated_gradient.data()),
-        volume_(m.volume.data()),
-        shear_(m.step_shear.data()),
-        lambda_(m.step_lambda.data()),
-        factor_(factor) {}
+  ACUS_INLINE ExactModuli(const SystemMatrix& a, const TissueModel& m)
+      : volume_(m.volume, 1),
+        shear_(m.step_shear, 1),
+        lambda_(m.step_lambda, 1),
+        factor_(a.stiffness_factor) {}
   ACUS_INLINE void go_to(std::size_t first, int part) {
-    const int skipped = part * lanes_in<Real, Lane>;
-    batch_ = gradient_ + 9 * first + skipped;
-    first_ = first + skipped;
+    volume_.go_to(first, part), shear_.go_to(first, part), lambda_.go_to(first, part);
   }
-  // q_1, q_2, q_3, component by component
-  ACUS_INLINE Lane q(int k) const { return load_part<Lane>(batch_ + k * lanes); }
-  ACUS_INLINE Lane mu_v() const { return factor_ * load_part<Lane>(shear_ + first_) * volume(); }
-  ACUS_INLINE Lane lambda_v() const { return factor_ * load_part<Lane>(lambda_ + first_) * volume(); }
-  ACUS_INLINE Lane quarter_v() const { return 0.25 * volume(); }
+  ACUS_INLINE Lane mu_v() const { return factor_ * shear_[0] * volume_[0]; }
+  ACUS_INLINE Lane lambda_v() const { return factor_ * lambda_[0] * volume_[0]; }
 
  private:
-  ACUS_INLINE Lane volume() const { return load_part<Lane>(volume_ + first_); }
-  const double *gradient_, *volume_, *shear_, *lambda_;
+  ElementNumbers<double> volume_, shear_, lambda_;
   double factor_;
-  const double* batch_ = nullptr;
-  std::size_t first_ = 0;
 };
-
-// Those of sixteen, packed, part by part.
-class PackedElements {
+// or made ready.
+class SingleModuli {
  public:
-  using Real = float;
   using Lane = PackedLane;
-  ACUS_INLINE PackedElements(const SystemMatrix& a, const Corotation& corotation)
-      : gradient_(corotation.single_gradient.data()), element_(a.element.data()) {}
-  ACUS_INLINE void go_to(std::size_t first, int part) {
-    const int skipped = part * lanes_in<Real, Lane>;
-    batch_ = gradient_ + 9 * first + skipped;
-    first_ = element_ + element_numbers * first + skipped;
-  }
-  ACUS_INLINE Lane q(int k) const { return load_part<Lane>(batch_ + k * batch_pairs); }
-  ACUS_INLINE Lane mu_v() const { return load_part<Lane>(first_); }
-  ACUS_INLINE Lane lambda_v() const { return load_part<Lane>(first_ + batch_pairs); }
-  ACUS_INLINE Lane quarter_v() const { return load_part<Lane>(first_ + 2 * batch_pairs); }
+  ACUS_INLINE SingleModuli(const SystemMatrix& a, const TissueModel&) : moduli_(a.moduli, element_moduli) {}
+  ACUS_INLINE void go_to(std::size_t first, int part) { moduli_.go_to(first, part); }
+  ACUS_INLINE Lane mu_v() const { return moduli_[0]; }
+  ACUS_INLINE Lane lambda_v() const { return moduli_[1]; }
 
  private:
-  const float *gradient_, *element_;
-  const float *batch_ = nullptr, *first_ = nullptr;
+  ElementNumbers<float> moduli_;
 };
 
-// Calls `respond` for the parts of each batch of pairs with the part's own `offsets`, and adds up what it
-// puts on their nodes.
-template <class Elements, class Respond, class Real = typename Elements::Real>
-ACUS_INLINE void add_pairs(const TissueModel& m, Range elements, const Elements& s, Real* reaction,
-                           const Respond& respond) {
-  using Lane = typename Elements::Lane;
-  constexpr int parts = lane_count<Real> / lanes_in<Real, Lane>;
-  for (std::size_t pair = elements.first / 2; pair < elements.last / 2; pair += lane_count<Real>) {
-    const Offsets* offsets = m.offsets.data() + pair;
-    BatchSum<Real, Lane> sum(reaction, offsets);
-    for (int part = 0; part < parts; ++part) {
-      Lane node[pair_nodes][4];
-      respond(s, pair, part, offsets + part * lanes_in<Real, Lane>, node);
-      ACUS_UNROLL
-      for (int i = 0; i < pair_nodes; ++i) sum.take(part, i, node[i]);
-    }
-    sum.finish();
-  }
-}
-
-// Adds what the elements do by themselves and, `with_dilation`, beside it V tr(G) / 4 for the nodes' means.
-template <bool with_dilation, class Elements, class Real = typename Elements::Real>
-ACUS_INLINE void add_local(const TissueModel& m, Range range, const Elements& elements, const Real* field,
-                           Real* reaction) {
-  using Lane = typename Elements::Lane;
-  add_pairs(
-      m, range, elements, reaction,
-      [&](Elements s, std::size_t pair, int part, const Offsets* offsets, Lane(*node)[4])
-          __attribute__((always_inline)) {
-            Lane pair_edge[12], edge[9], q[9], g[9], stress[6], force[4][4];
-            gather_edges(pair_edge, field, offsets);
-            ACUS_UNROLL
-            for (int side = 0; side < 2; ++side) {
-              s.go_to(element_of_pair(pair, side), part);
-              edges_of_side(edge, pair_edge, side);
-              for (int k = 0; k < 9; ++k) q[k] = s.q(k);
-              gradient_of(g, edge, q);
-              const Lane trace = g[0] + g[4] + g[8];
-              stress_of(stress, g, trace, s.mu_v(), s.lambda_v());
-              corner_forces(force, stress, q);
-              for (auto& corner : force) corner[3] = with_dilation ? s.quarter_v() * trace : Lane{};
-              put_corners(node, force, side);
-            }
-          });
-}
-
-// Adds what the nodal pressures do: f_i += (V / 4) (sum over the corners of the pressure) q_i. A pressure
-// stands beside its node's x, where one load brings both.
-template <class Elements, class Real = typename Elements::Real>
-ACUS_INLINE void add_pressure(const TissueModel& m, Range range, const Elements& elements, const Real* field,
-                              Real* reaction) {
-  using Lane = typename Elements::Lane;
-  add_pairs(
-      m, range, elements, reaction,
-      [&](Elements s, std::size_t pair, int part, const Offsets* offsets, Lane(*node)[4])
-          __attribute__((always_inline)) {
-            Lane sum[2][4], q[9], force[4][4] = {};
-            sum_corners(sum, field, offsets);
-            ACUS_UNROLL
-            for (int side = 0; side < 2; ++side) {
-              s.go_to(element_of_pair(pair, side), part);
-              for (int k = 0; k < 9; ++k) q[k] = s.q(k);
-              corner_forces_of_pressure(force, s.quarter_v() * sum[side][3], q);
-              put_corners(node, force, side);
-            }
-          });
-}
-
-// The same for either precision, clone by clone: what is handed to a team is not. A product reads its
-// numbers from where it has them.
+// The same for either precision. A product reads its numbers from where it has them.
 struct Exactly {
+  using Moduli = ExactModuli;
   const SystemMatrix& a;
   const TissueModel& m;
   const Corotation& corotation;
   numeric::NodeVector& field = a.field;
   numeric::NodeVector& reaction = a.reaction;
+  const std::vector<double>& gradient = corotation.rotated_gradient;
+  const std::vector<double>& quarter_volume = m.quarter_volume;
   double mass(std::size_t n) const { return a.mass_factor * m.node_mass[n]; }
   double pressure_weight(std::size_t n) const {
     return a.stiffness_factor * m.node_bulk_modulus[n] / m.node_volume[n];
   }
 };
-struct Packed {
+struct Singly {
+  using Moduli = SingleModuli;
   const SystemMatrix& a;
   const TissueModel& m;
   const Corotation& corotation;
   numeric::NodeVectorOf<float>& field = a.field_single;
   numeric::NodeVectorOf<float>& reaction = a.reaction_single;
+  const std::vector<float>& gradient = corotation.single_gradient;
+  const std::vector<float>& quarter_volume = m.single_quarter_volume;
   float mass(std::size_t n) const { return a.mass[n]; }
   float pressure_weight(std::size_t n) const { return a.pressure_weight[n]; }
 };
 
-ACUS_KERNEL void respond_alone(double* to, Range range, const Exactly& p) {
-  add_local<false>(p.m, range, ExactElements(p.m, p.corotation, p.a.stiffness_factor), p.field.data(), to);
+// Adds what the elements do by themselves and, `with_dilation`, beside it V tr(G) / 4 for the nodes' means.
+template <bool with_dilation, class Real, class Product>
+ACUS_INLINE void add_local(Real* to, Range elements, const Product& p) {
+  using Lane = typename LaneOf<Real>::type;
+  add_pairs(to, p.m, elements,
+            [&, q = ElementNumbers<Real>(p.gradient, 9), quarter = ElementNumbers<Real>(p.quarter_volume, 1),
+             moduli = typename Product::Moduli(p.a, p.m)](std::size_t pair, int part, const Offsets* offsets,
+                                                          Lane(*node)[4]) mutable
+            __attribute__((always_inline)) {
+              Lane pair_edge[12], edge[9], q_of_side[9], g[9], stress[6], force[4][4];
+              gather_edges(pair_edge, p.field.data(), offsets);
+              ACUS_UNROLL
+              for (int side = 0; side < 2; ++side) {
+                const std::size_t first = element_of_pair(pair, side);
+                q.go_to(first, part), quarter.go_to(first, part), moduli.go_to(first, part);
+                edges_of_side(edge, pair_edge, side);
+                for (int k = 0; k < 9; ++k) q_of_side[k] = q[k];
+                gradient_of(g, edge, q_of_side);
+                const Lane trace = g[0] + g[4] + g[8];
+                stress_of(stress, g, trace, moduli.mu_v(), moduli.lambda_v());
+                corner_forces(force, stress, q_of_side);
+                for (auto& corner : force) corner[3] = with_dilation ? quarter[0] * trace : Lane{};
+                put_corners(node, force, side);
+              }
+            });
 }
-ACUS_KERNEL void respond_alone(float* to, Range range, const Packed& p) {
-  add_local<false>(p.m, range, PackedElements(p.a, p.corotation), p.field.data(), to);
+
+// Clone by clone: what is handed to a team is not.
+ACUS_KERNEL void respond_alone(double* to, Range elements, const Exactly& p) {
+  add_local<false>(to, elements, p);
 }
-ACUS_KERNEL void respond_and_dilate(double* to, Range range, const Exactly& p) {
-  add_local<true>(p.m, range, ExactElements(p.m, p.corotation, p.a.stiffness_factor), p.field.data(), to);
+ACUS_KERNEL void respond_alone(float* to, Range elements, const Singly& p) {
+  add_local<false>(to, elements, p);
 }
-ACUS_KERNEL void respond_and_dilate(float* to, Range range, const Packed& p) {
-  add_local<true>(p.m, range, PackedElements(p.a, p.corotation), p.field.data(), to);
+ACUS_KERNEL void respond_and_dilate(double* to, Range elements, const Exactly& p) {
+  add_local<true>(to, elements, p);
 }
-ACUS_KERNEL void press(double* to, Range range, const Exactly& p) {
-  add_pressure(p.m, range, ExactElements(p.m, p.corotation, p.a.stiffness_factor), p.field.data(), to);
-}
-ACUS_KERNEL void press(float* to, Range range, const Packed& p) {
-  add_pressure(p.m, range, PackedElements(p.a, p.corotation), p.field.data(), to);
+ACUS_KERNEL void respond_and_dilate(float* to, Range elements, const Singly& p) {
+  add_local<true>(to, elements, p);
 }
 
 // The nodes' pressures from their dilations, which are cleared: padding again.
@@ -209,7 +149,8 @@ void multiply(numeric::NodeVectorOf<Real>& y, const numeric::NodeVectorOf<Real>&
     streams.add(p.reaction, team,
                 [&](Real* to, Range elements, int) { respond_and_dilate(to, elements, p); });
     streams.sum(p.reaction, team, [&](Real* sum, Range nodes, int) { set_pressures(sum, nodes, p); });
-    streams.add(p.reaction, team, [&](Real* to, Range elements, int) { press(to, elements, p); });
+    streams.add(p.reaction, team,
+                [&](Real* to, Range elements, int) { press(to, p.m, elements, p.gradient, p.field); });
   }
   streams.sum(p.reaction, team,
               [&](Real* sum, Range nodes, int) { add_inertia(y.data(), x.data(), sum, nodes, p); });
@@ -219,7 +160,7 @@ void multiply(numeric::NodeVectorOf<Real>& y, const numeric::NodeVectorOf<Real>&
 
 SystemMatrix build_system_matrix(const TissueModel& model) {
   SystemMatrix a;
-  a.element.assign(model.corners.size() * element_numbers, 0.0F);
+  a.moduli.assign(model.corners.size() * element_moduli, 0.0F);
   a.mass.assign(model.free_nodes, 0.0F);
   a.field.assign(static_cast<std::size_t>(model.nodes) * node_stride, 0.0);
   a.reaction.assign(model.streams.count() * a.field.size(), 0.0);
@@ -233,10 +174,9 @@ void set_factors(SystemMatrix& out, const TissueModel& model, double mass_factor
   out.mass_factor = mass_factor;
   out.stiffness_factor = stiffness_factor;
   for (std::size_t e = 0; e < model.corners.size(); ++e) {
-    float* to = &out.element[element_numbers * (e / batch_pairs * batch_pairs) + e % batch_pairs];
+    float* to = &out.moduli[element_moduli * (e / batch_pairs * batch_pairs) + e % batch_pairs];
     to[0] = static_cast<float>(stiffness_factor * model.step_shear[e] * model.volume[e]);
     to[batch_pairs] = static_cast<float>(stiffness_factor * model.step_lambda[e] * model.volume[e]);
-    to[2 * batch_pairs] = static_cast<float>(0.25 * model.volume[e]);
   }
   for (int i = 0; i < model.free_nodes; ++i)
     out.mass[i] = static_cast<float>(mass_factor * model.node_mass[i]);
@@ -252,7 +192,7 @@ void multiply_into(numeric::NodeVector& y, const TissueModel& model, const Corot
 
 void multiply_into(numeric::NodeVectorOf<float>& y, const TissueModel& model, const Corotation& corotation,
                    const SystemMatrix& a, const numeric::NodeVectorOf<float>& x, const Team& team) {
-  multiply(y, x, team, Packed{a, model, corotation});
+  multiply(y, x, team, Singly{a, model, corotation});
 }
 
 }  // namespace acus::tissue

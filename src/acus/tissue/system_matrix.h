@@ -18,12 +18,12 @@ namespace acus::tissue {
 
 // A = mass_factor M + stiffness_factor K', over the free nodes. In double it is applied straight from the
 // rotated gradients; the inner iterations of a solve use their copy in single precision.
-inline constexpr int element_numbers = 3;  // V mu and V lambda with the factor, V / 4
+inline constexpr int element_moduli = 2;  // V mu and V lambda with the factor
 struct SystemMatrix {
   double mass_factor = 1.0;
   double stiffness_factor = 0.0;
 
-  std::vector<float> element;          // [groups of 16][element_numbers][16] m^3 Pa and m^3
+  std::vector<float> moduli;           // [groups of 16][element_moduli][16] m^3 Pa
   std::vector<float> mass;             // [free nodes] kg, with the factor
   std::vector<float> pressure_weight;  // [nodes] kappa_a / V_a with the factor; empty for linear
 

@@ -17,6 +17,8 @@ void place_element(TissueModel& m, int e, const Shape& shape, const Material& ma
   for (int i = 0; i < 3; ++i)
     for (int c = 0; c < 3; ++c) m.gradient[lane_place(e, 3 * i + c, 9)] = shape.gradient[i + 1][c];
   m.volume[e] = volume;
+  m.quarter_volume[e] = 0.25 * volume;
+  m.single_quarter_volume[e] = static_cast<float>(0.25 * volume);
   m.shear[e] = shear_modulus(material);
   // mu |dev e|^2 = mu |e|^2 - (mu / 3) (tr e)^2: with the bulk part at the nodes only this remains here.
   m.local_lambda[e] =
@@ -64,7 +66,8 @@ Result<TissueModel> build_tissue_model(const mesh::TetMesh& mesh, std::span<cons
   const std::size_t elements = m.corners.size();
   m.gradient.assign(9 * elements, 0.0);
   m.volume.assign(elements, 0.0);
-  m.shear = m.local_lambda = m.step_shear = m.step_lambda = m.volume;
+  m.shear = m.local_lambda = m.step_shear = m.step_lambda = m.quarter_volume = m.volume;
+  m.single_quarter_volume.assign(elements, 0.0F);
   for (int e = 0; e < static_cast<int>(elements); ++e) {
     const mesh::Tet& t = m.corners[e];
     const int tet = pairing.tet[e];

@@ -17,22 +17,30 @@ struct LaneOf<float> {
   using type = PackedLane;
 };
 
-// `count` numbers of each element, in an array [groups][count][as many as fill 64 bytes], one part of a group
-// after the other.
+// `count` numbers of each element, in an array [groups][count][as many as fill 64 bytes].
 template <class Real>
 class ElementNumbers {
  public:
   using Lane = typename LaneOf<Real>::type;
+  // Those of one part of the group that begins with element `first`.
+  class Part {
+   public:
+    ACUS_INLINE explicit Part(const Real* from) : from_(from) {}
+    ACUS_INLINE Lane operator[](int k) const {
+      return load_part<Lane>(from_ + k * numeric::lane_count<Real>);
+    }
+
+   private:
+    const Real* from_;
+  };
   ACUS_INLINE ElementNumbers(const std::vector<Real>& of, int count) : all_(of.data()), count_(count) {}
-  ACUS_INLINE void go_to(std::size_t first, int part) {
-    part_ = all_ + count_ * first + part * lanes_in<Real, Lane>;
+  ACUS_INLINE Part of(std::size_t first, int part) const {
+    return Part(all_ + count_ * first + part * lanes_in<Real, Lane>);
   }
-  ACUS_INLINE Lane operator[](int k) const { return load_part<Lane>(part_ + k * numeric::lane_count<Real>); }
 
  private:
   const Real* all_;
   int count_;
-  const Real* part_ = nullptr;
 };
 
 // Calls `respond` for the parts of each batch of pairs with the part's own `offsets`, and adds up what it

@@ -129,7 +129,7 @@ std::vector<Pair> pairs_of(const std::vector<Tet>& tets) {
 }
 
 // Deals the pairs of each stream to the lanes of the kernels like cards from as many stacks, each a run of
-// neighbours: the pairs of a batch then share no nodes, and adding to a node need not wait for the one
+// neighbours: the pairs of a batch then share few nodes, and adding to a node seldom waits for the one
 // before.
 std::vector<Pair> dealt(const std::vector<Pair>& pairs) {
   std::vector<Pair> to;

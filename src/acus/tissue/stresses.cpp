@@ -11,23 +11,24 @@ template <bool with_skew, class Real>
 ACUS_INLINE void add(Real* to, const TissueModel& m, Range elements, const StressesOf<Real>& stresses,
                      const std::vector<Real>& gradient) {
   using Lane = typename LaneOf<Real>::type;
+  const ElementNumbers<Real> gradients(gradient, 9),
+      numbers(stresses.number, with_skew ? stress_numbers_with_skew : stress_numbers);
   add_pairs(
-      to, m, elements, [
-        q = ElementNumbers<Real>(gradient, 9),
-        s = ElementNumbers<Real>(stresses.number, with_skew ? stress_numbers_with_skew : stress_numbers)
-      ](std::size_t pair, int part, const Offsets*, Lane(*node)[4]) mutable __attribute__((always_inline)) {
-        Lane q_of_side[9], stress[6], force[4][4];
+      to, m, elements,
+      [&](std::size_t pair, int part, const Offsets*, Lane(*node)[4]) __attribute__((always_inline)) {
+        Lane q[9], stress[6], force[4][4];
         ACUS_UNROLL
         for (int side = 0; side < 2; ++side) {
           const std::size_t first = element_of_pair(pair, side);
-          q.go_to(first, part), s.go_to(first, part);
-          for (int k = 0; k < 9; ++k) q_of_side[k] = q[k];
+          const auto of_side = gradients.of(first, part);
+          const auto s = numbers.of(first, part);
+          for (int k = 0; k < 9; ++k) q[k] = of_side[k];
           for (int k = 0; k < 6; ++k) stress[k] = s[k];
-          corner_forces(force, stress, q_of_side);
+          corner_forces(force, stress, q);
           if constexpr (with_skew) {
             const Lane zx = s[7], zy = s[8], zz = s[9];
             for (int i = 0; i < 3; ++i) {
-              const Lane x = q_of_side[3 * i], y = q_of_side[3 * i + 1], z = q_of_side[3 * i + 2];
+              const Lane x = q[3 * i], y = q[3 * i + 1], z = q[3 * i + 2];
               force[i + 1][0] -= zy * z - zz * y;
               force[i + 1][1] -= zz * x - zx * z;
               force[i + 1][2] -= zx * y - zy * x;

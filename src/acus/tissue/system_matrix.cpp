@@ -18,17 +18,17 @@ using numeric::store4;
 // V mu and V lambda with the factor, of elements side by side: straight from where they are kept,
 class ExactModuli {
  public:
-  using Lane = ExactLane;
   ACUS_INLINE ExactModuli(const SystemMatrix& a, const TissueModel& m)
       : volume_(m.volume, 1),
         shear_(m.step_shear, 1),
         lambda_(m.step_lambda, 1),
         factor_(a.stiffness_factor) {}
-  ACUS_INLINE void go_to(std::size_t first, int part) {
-    volume_.go_to(first, part), shear_.go_to(first, part), lambda_.go_to(first, part);
+  ACUS_INLINE ExactLane mu_v(std::size_t first, int part) const {
+    return factor_ * shear_.of(first, part)[0] * volume_.of(first, part)[0];
   }
-  ACUS_INLINE Lane mu_v() const { return factor_ * shear_[0] * volume_[0]; }
-  ACUS_INLINE Lane lambda_v() const { return factor_ * lambda_[0] * volume_[0]; }
+  ACUS_INLINE ExactLane lambda_v(std::size_t first, int part) const {
+    return factor_ * lambda_.of(first, part)[0] * volume_.of(first, part)[0];
+  }
 
  private:
   ElementNumbers<double> volume_, shear_, lambda_;
@@ -37,11 +37,9 @@ class ExactModuli {
 // or made ready.
 class SingleModuli {
  public:
-  using Lane = PackedLane;
   ACUS_INLINE SingleModuli(const SystemMatrix& a, const TissueModel&) : moduli_(a.moduli, element_moduli) {}
-  ACUS_INLINE void go_to(std::size_t first, int part) { moduli_.go_to(first, part); }
-  ACUS_INLINE Lane mu_v() const { return moduli_[0]; }
-  ACUS_INLINE Lane lambda_v() const { return moduli_[1]; }
+  ACUS_INLINE PackedLane mu_v(std::size_t first, int part) const { return moduli_.of(first, part)[0]; }
+  ACUS_INLINE PackedLane lambda_v(std::size_t first, int part) const { return moduli_.of(first, part)[1]; }
 
  private:
   ElementNumbers<float> moduli_;
@@ -79,27 +77,27 @@ struct Singly {
 template <bool with_dilation, class Real, class Product>
 ACUS_INLINE void add_local(Real* to, Range elements, const Product& p) {
   using Lane = typename LaneOf<Real>::type;
-  add_pairs(to, p.m, elements,
-            [&, q = ElementNumbers<Real>(p.gradient, 9), quarter = ElementNumbers<Real>(p.quarter_volume, 1),
-             moduli = typename Product::Moduli(p.a, p.m)](std::size_t pair, int part, const Offsets* offsets,
-                                                          Lane(*node)[4]) mutable
-            __attribute__((always_inline)) {
-              Lane pair_edge[12], edge[9], q_of_side[9], g[9], stress[6], force[4][4];
-              gather_edges(pair_edge, p.field.data(), offsets);
-              ACUS_UNROLL
-              for (int side = 0; side < 2; ++side) {
-                const std::size_t first = element_of_pair(pair, side);
-                q.go_to(first, part), quarter.go_to(first, part), moduli.go_to(first, part);
-                edges_of_side(edge, pair_edge, side);
-                for (int k = 0; k < 9; ++k) q_of_side[k] = q[k];
-                gradient_of(g, edge, q_of_side);
-                const Lane trace = g[0] + g[4] + g[8];
-                stress_of(stress, g, trace, moduli.mu_v(), moduli.lambda_v());
-                corner_forces(force, stress, q_of_side);
-                for (auto& corner : force) corner[3] = with_dilation ? quarter[0] * trace : Lane{};
-                put_corners(node, force, side);
-              }
-            });
+  const ElementNumbers<Real> gradients(p.gradient, 9), quarters(p.quarter_volume, 1);
+  const typename Product::Moduli moduli(p.a, p.m);
+  add_pairs(
+      to, p.m, elements,
+      [&](std::size_t pair, int part, const Offsets* offsets, Lane(*node)[4]) __attribute__((always_inline)) {
+        Lane pair_edge[12], edge[9], q[9], g[9], stress[6], force[4][4];
+        gather_edges(pair_edge, p.field.data(), offsets);
+        ACUS_UNROLL
+        for (int side = 0; side < 2; ++side) {
+          const std::size_t first = element_of_pair(pair, side);
+          const auto of_side = gradients.of(first, part);
+          edges_of_side(edge, pair_edge, side);
+          for (int k = 0; k < 9; ++k) q[k] = of_side[k];
+          gradient_of(g, edge, q);
+          const Lane trace = g[0] + g[4] + g[8];
+          stress_of(stress, g, trace, moduli.mu_v(first, part), moduli.lambda_v(first, part));
+          corner_forces(force, stress, q);
+          for (auto& corner : force) corner[3] = with_dilation ? quarters.of(first, part)[0] * trace : Lane{};
+          put_corners(node, force, side);
+        }
+      });
 }
 
 // Clone by clone: what is handed to a team is not.

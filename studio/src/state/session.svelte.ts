@@ -244,11 +244,12 @@ export class Session {
     this.push(this.asked + way);
   }
 
+  // Time that stands still goes on with a hand that is sent another way; a hand that is to rest needs none.
   steady(speed: number): void {
     if (!this.canPush) return;
+    if (this.paused && speed !== 0 && Math.sign(speed) !== Math.sign(this.steadySpeed)) this.pause(false);
     this.steadySpeed = speed;
     this.pushing = false;
-    if (this.paused) this.pause(false);
     this.engine?.send({ type: 'steady', speed_m_s: speed });
   }
 

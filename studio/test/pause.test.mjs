@@ -1,8 +1,9 @@
 // Time that was stopped stays stopped: what the button says is what the engine does.
 import assert from 'node:assert/strict';
 import { after, afterEach, before, test } from 'node:test';
+import { fakeServe } from './lib/fake_engine.mjs';
 import { endServers, serve } from './lib/program.mjs';
-import { begin, closePages, openStudio, picture, touched } from './lib/studio.mjs';
+import { begin, closePages, goesOn, openStudio, paused, picture, touched } from './lib/studio.mjs';
 
 let tools;
 before(async () => (tools = await begin()));
@@ -29,7 +30,7 @@ async function pausesShortOfTheEnd(page) {
   await hearsLate(page);
   await picture(page).focus();
   await page.keyboard.press('w');
-  await page.waitForFunction(() => document.querySelector('[data-value=hand_travel_m]').textContent.startsWith('\u22126'));
+  await page.waitForFunction(() => Number.parseFloat(document.querySelector('[data-value=hand_travel_m]').textContent.replace('\u2212', '-')) < -6);
   await page.keyboard.press(' ');
   await page.waitForTimeout(1500);
   assert.ok(await page.getByRole('button', { name: 'Go on' }).isVisible(), 'it is paused');
@@ -51,5 +52,66 @@ test('at_a_server_a_pause_outlasts_the_frames_that_were_on_their_way', async () 
   const server = await serve('paper_200', small);
   const { page, complaints } = await openStudio(tools, { address: server.address });
   await pausesShortOfTheEnd(page);
+  assert.deepEqual(complaints, []);
+});
+
+const button = (page, name) => page.getByRole('button', { name, exact: true });
+
+test('a_page_that_is_loaded_again_while_time_is_stopped_says_so_and_one_press_goes_on', async () => {
+  const server = await serve('paper_200', small);
+  const { page, complaints } = await openStudio(tools, { address: server.address });
+  await touched(page);
+  const { time_s } = await paused(page);
+  await page.reload();
+  await button(page, 'Go on').waitFor();
+  await goesOn(page);
+  await page.waitForFunction((then) => Number.parseFloat(document.querySelector('[data-value=time_s]').textContent) > then + 0.5, time_s);
+  assert.deepEqual(complaints, []);
+});
+
+test('a_page_that_watches_sees_the_pause_of_the_one_that_leads_and_has_none_of_its_own', async () => {
+  const server = await serve('paper_200', small);
+  const { page: leader } = await openStudio(tools, { address: server.address });
+  await touched(leader);
+  const { page: watcher } = await openStudio(tools, { address: server.address });
+  await watcher.waitForFunction(() => /Someone else leads/.test(document.querySelector('.device').textContent));
+  await picture(watcher).focus();
+  await watcher.keyboard.press(' ');
+  await watcher.waitForTimeout(500);
+  assert.ok(await button(watcher, 'Pause').isDisabled());
+  assert.equal(await watcher.locator('.refused').count(), 0);
+  await paused(leader);
+  await button(watcher, 'Go on').waitFor();
+  await goesOn(leader);
+  await button(watcher, 'Pause').waitFor();
+});
+
+test('a_choice_that_is_refused_leaves_button_and_engine_of_one_mind', async () => {
+  const server = await fakeServe();
+  const { page } = await openStudio(tools, { address: server.address });
+  await paused(page);
+  await page.getByLabel('Radius, mm').fill('0.1');
+  await page.keyboard.press('Tab');
+  await page.waitForSelector('.refused');
+  await button(page, 'Pause').waitFor();
+  assert.equal(server.now().paused, false);
+  await server.close();
+});
+
+test('a_press_counts_once_however_long_the_bar_is_held_and_where_nothing_else_has_the_focus', async () => {
+  const { page, complaints } = await openStudio(tools);
+  await page.keyboard.down(' ');
+  for (let repeats = 0; repeats < 3; ++repeats) await page.keyboard.down(' ');
+  await page.keyboard.up(' ');
+  await button(page, 'Go on').waitFor();
+  await page.locator('#timeline').press('Home');
+  await button(page, 'Back to now').click(); // and then it can take no focus any more
+  await button(page, 'Go on').waitFor();
+  await page.keyboard.press(' ');
+  await button(page, 'Pause').waitFor();
+  await button(page, 'Help').click();
+  await page.locator('dialog h2').click();
+  await page.keyboard.press(' ');
+  assert.equal(await page.locator('[aria-label=Time] button').first().textContent(), 'Pause', 'what is asked of the help is not asked of the engine');
   assert.deepEqual(complaints, []);
 });

@@ -115,3 +115,22 @@ test('a_press_counts_once_however_long_the_bar_is_held_and_where_nothing_else_ha
   assert.equal(await page.locator('[aria-label=Time] button').first().textContent(), 'Pause', 'what is asked of the help is not asked of the engine');
   assert.deepEqual(complaints, []);
 });
+
+test('only_a_hand_that_is_sent_another_way_lets_stopped_time_go_on', async () => {
+  const server = await fakeServe();
+  const { page } = await openStudio(tools, { address: server.address });
+  await page.selectOption('#speed', '0.002');
+  await picture(page).focus();
+  await page.keyboard.press('s');
+  await button(page, 'Hold still').waitFor();
+  await paused(page);
+  await page.selectOption('#speed', '0.005');
+  await button(page, 'Hold still').click();
+  await button(page, 'Steady hand').waitFor();
+  assert.ok(await button(page, 'Go on').isVisible());
+  assert.ok(server.now().paused);
+  await button(page, 'Withdraw').click();
+  await button(page, 'Pause').waitFor();
+  assert.deepEqual(server.commands.filter(({ type }) => /steady|pause|resume/.test(type)).map(({ type, speed_m_s }) => speed_m_s ?? type), [0.002, 'pause', 0.005, 0, 'resume', -0.005]);
+  await server.close();
+});

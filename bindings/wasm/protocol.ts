@@ -57,6 +57,7 @@ export interface Loop {
   type: "loop";
   real_time_factor: number;
   load: number;
+  paused: boolean;
   late_ticks: number;
   tick_p999_s: number;
   gate: "disarmed" | "ramping" | "armed";

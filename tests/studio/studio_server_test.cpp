@@ -241,6 +241,23 @@ TEST(StudioServer, lets_a_devices_force_go_when_the_page_that_armed_it_falls_sil
   EXPECT_EQ(loop["gate"], "disarmed");
 }
 
+TEST(StudioServer, tells_every_page_whether_time_stands_still) {
+  for (const bool with_device : {false, true}) {
+    const Running server(with_device ? engine_with_device({}) : led_engine(bare_column()));
+    Page page(server), watching(server);
+    const auto comes = [&](bool paused) {
+      json loop = watching.next("loop");
+      for (int i = 0; i < 100 && loop["paused"] != paused; ++i) loop = watching.next("loop");
+      return loop["paused"] == paused;
+    };
+    EXPECT_TRUE(comes(false));
+    page.say({{"type", "pause"}});
+    EXPECT_TRUE(comes(true));
+    page.say({{"type", "resume"}});
+    EXPECT_TRUE(comes(false));
+  }
+}
+
 TEST(StudioServer, lets_time_run_in_an_insertion_that_is_chosen_while_the_last_one_is_paused) {
   const Running server(engine_with_device({}));
   Page page(server);

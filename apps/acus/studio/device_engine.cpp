@@ -103,7 +103,7 @@ class DeviceEngine final : public Engine {
       stepped_to = now.frame().time;
       status.stepped(simulated, loop.load * simulated);
       broadcast.show(now, time);
-      if (const auto report = status.due(time, &loop, limit())) broadcast.status(*report);
+      if (const auto report = status.due(time, control_.paused, &loop, limit())) broadcast.status(*report);
     };
     return haptics::run_loop(*device_.device, simulation_, settings, over);
   }

@@ -46,7 +46,7 @@ class LedEngine final : public Engine {
       if (const Simulation* simulation = session_.simulation()) {
         broadcast.show(*simulation, now);
         status.stepped(steps * simulation->scene().run.time_step, busy);
-        if (const auto report = status.due(now)) broadcast.status(*report);
+        if (const auto report = status.due(now, session_.paused())) broadcast.status(*report);
       }
       before = now;
       std::this_thread::sleep_for(between);

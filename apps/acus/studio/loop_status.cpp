@@ -19,7 +19,7 @@ const char* name_of(haptics::GateState state) {
 
 }  // namespace
 
-std::optional<std::string> StatusClock::due(double now, const haptics::LoopStatus* device,
+std::optional<std::string> StatusClock::due(double now, bool paused, const haptics::LoopStatus* device,
                                             double force_limit) {
   constexpr double between = 0.1;  // s
   if (last_ >= 0.0 && now - last_ < between) return std::nullopt;
@@ -27,7 +27,8 @@ std::optional<std::string> StatusClock::due(double now, const haptics::LoopStatu
   last_ = now;
   nlohmann::ordered_json report = {{"type", "loop"},
                                    {"real_time_factor", passed > 0.0 ? simulated_ / passed : 0.0},
-                                   {"load", simulated_ > 0.0 ? busy_ / simulated_ : 0.0}};
+                                   {"load", simulated_ > 0.0 ? busy_ / simulated_ : 0.0},
+                                   {"paused", paused}};
   simulated_ = busy_ = 0.0;
   if (device != nullptr) {
     report["late_ticks"] = device->late_ticks;

@@ -15,8 +15,9 @@ class StatusClock {
     simulated_ += simulated;
     busy_ += busy;
   }
-  // A report where one is due at `now` [s], of the time since the last one. `device` where there is one.
-  std::optional<std::string> due(double now, const haptics::LoopStatus* device = nullptr,
+  // A report where one is due at `now` [s], of the time since the last one. `paused`: the engine's time
+  // stands still. `device` where there is one.
+  std::optional<std::string> due(double now, bool paused, const haptics::LoopStatus* device = nullptr,
                                  double force_limit = 0.0);
 
  private:

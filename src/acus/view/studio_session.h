@@ -48,6 +48,8 @@ class StudioSession {
 
   // Null before the first `start`.
   const Simulation* simulation() const { return simulation_ ? &*simulation_ : nullptr; }
+  // Its time stands still, but for single steps.
+  bool paused() const { return paused_; }
 
  private:
   struct Taker;

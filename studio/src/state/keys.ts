@@ -7,6 +7,7 @@ const small = 0.5e-3; // m
 const large = 4e-3;
 const page = 10e-3;
 const turn = Math.PI / 24;
+const switches = [' ', 's', 'w', 'r', 'p']; // a press counts once, however long it is
 
 export function keyDown(event: KeyboardEvent, session: Session, stage: StageView | null, speed: number): void {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
@@ -32,8 +33,10 @@ export function keyDown(event: KeyboardEvent, session: Session, stage: StageView
     r: () => session.start(),
     p: () => session.play(!session.playing),
   };
-  const act = acts[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+  const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+  const act = acts[key];
   if (!act) return;
   event.preventDefault();
+  if (event.repeat && switches.includes(key)) return;
   act();
 }

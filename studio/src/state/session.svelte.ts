@@ -54,6 +54,7 @@ export class Session {
   private runs = 0;
   private meter = new RateMeter();
   private wasPaused = false;
+  private pauses = false; // whether time stands still is as this page said, and not as the engine says
   private pushing = false; // this page gave the hand its place
   private touchDue = false; // the first touch of an insertion at a server
   onEvent: ((event: EventName) => void) | null = null;
@@ -76,8 +77,12 @@ export class Session {
   get deviceLeads(): boolean {
     return this.hello?.source === 'serve' && this.hello.device !== null;
   }
+  // The engine would do what it is told here.
+  get mayLead(): boolean {
+    return this.engine !== null && this.link === 'open' && this.loop?.owner !== false;
+  }
   get canPush(): boolean {
-    return !this.deviceLeads && this.engine !== null && this.link === 'open' && this.live && !this.starting && !this.failed && this.loop?.owner !== false;
+    return this.mayLead && !this.deviceLeads && this.live && !this.starting && !this.failed;
   }
   get mostTravel(): number {
     if (!this.model) return 0.08;
@@ -100,7 +105,9 @@ export class Session {
   private linked(link: Link, words: string): void {
     this.link = link;
     this.linkWords = words;
-    if (link === 'lost') this.steadySpeed = 0;
+    if (link !== 'lost') return;
+    this.steadySpeed = 0;
+    this.pauses = false;
   }
 
   // A page that is a recording: nothing computes.
@@ -134,7 +141,8 @@ export class Session {
         return;
       case 'loop':
         this.loop = report;
-        if (!report.owner) this.pushing = false;
+        if (!report.owner) this.pauses = this.pushing = false;
+        if (!this.pauses) this.paused = report.paused;
         this.realTimeFactor = report.real_time_factor;
         this.touch();
     }
@@ -162,7 +170,7 @@ export class Session {
     this.pushing = false;
     this.meter = new RateMeter();
     if (this.rate !== 1 && !this.deviceLeads) this.engine?.send({ type: 'rate', factor: this.rate });
-    if (this.paused) this.engine?.send({ type: 'pause' }); // a new insertion runs by itself
+    if (this.paused && this.pauses) this.engine?.send({ type: 'pause' }); // a new insertion runs by itself
     this.touchDue = this.hello?.source === 'serve';
     if (!this.touchDue) this.push(firstTouch);
   }
@@ -225,7 +233,7 @@ export class Session {
     if (!this.engine || !this.hello) return;
     this.closePlayer();
     this.starting = true;
-    this.paused = false;
+    if (this.paused) this.pause(false); // the old one goes on where the new one is refused
     this.asked = 0;
     this.engine.send({ type: 'start', scene: this.base, settings: settingsList(this.settings) });
   }
@@ -244,17 +252,20 @@ export class Session {
     this.push(this.asked + way);
   }
 
+  // Time that stands still goes on with a hand that is sent another way; a hand that is to rest needs none.
   steady(speed: number): void {
     if (!this.canPush) return;
+    if (this.paused && speed !== 0 && Math.sign(speed) !== Math.sign(this.steadySpeed)) this.pause(false);
     this.steadySpeed = speed;
     this.pushing = false;
-    if (this.paused) this.pause(false);
     this.engine?.send({ type: 'steady', speed_m_s: speed });
   }
 
   pause(paused: boolean): void {
     if (this.player) return this.play(!paused);
+    if (!this.mayLead) return;
     this.paused = paused;
+    this.pauses = true;
     this.engine?.send({ type: paused ? 'pause' : 'resume' });
   }
 
@@ -263,6 +274,7 @@ export class Session {
       this.play(false);
       return this.player.send({ type: 'step', steps });
     }
+    if (!this.mayLead) return;
     if (!this.paused) this.pause(true);
     this.engine?.send({ type: 'step', steps });
   }

@@ -78,7 +78,7 @@ export async function fakeServe({ device = null, port = 0 } = {}) {
   let now = { travel: 0, time: 0, events: 0, wanted: 0, speed: 0, paused: false, gate: 'disarmed' };
   const say = (report) => sockets.clients.forEach((client) => client.send(JSON.stringify(report)));
   const show = () => sockets.clients.forEach((client) => client.send(frameAt(rowAt(now.travel, now.time), now.events)));
-  const loop = () => say({ type: 'loop', real_time_factor: 1, load: 0.31, late_ticks: 2, tick_p999_s: 2e-4, gate: now.gate, fault: '', device_force_N: now.gate === 'armed' ? 0.5 : 0, force_limit_N: 2, owner: true });
+  const loop = () => say({ type: 'loop', real_time_factor: 1, load: 0.31, paused: now.paused, late_ticks: 2, tick_p999_s: 2e-4, gate: now.gate, fault: '', device_force_N: now.gate === 'armed' ? 0.5 : 0, force_limit_N: 2, owner: true });
 
   const timer = setInterval(() => {
     if (sockets.clients.size === 0 || now.paused) return;

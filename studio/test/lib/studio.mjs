@@ -43,13 +43,7 @@ export const touched = (page) => page.waitForFunction(() => Number.parseFloat(do
 export async function paused(page) {
   await picture(page).focus();
   await page.keyboard.press(' ');
-  // A page that is busy drawing now and then does not hear the key; a person would press it again.
-  const goOn = page.getByRole('button', { name: 'Go on' });
-  await goOn.waitFor({ timeout: 10000 }).catch(async () => {
-    await picture(page).focus();
-    await page.keyboard.press(' ');
-    await goOn.waitFor({ timeout: 10000 });
-  });
+  await page.getByRole('button', { name: 'Go on' }).waitFor();
   let before = '';
   for (let now = JSON.stringify(await readings(page)); now !== before; now = JSON.stringify(await readings(page))) {
     before = now;

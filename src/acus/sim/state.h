@@ -37,6 +37,7 @@ struct State {
   long steps = 0;                // taken so far; time is this many time steps, without a sum's rounding
   std::vector<Vec3> position;    // m, [nodes]; advance
   numeric::NodeVector velocity;  // m/s, [free nodes]; solve_coupled
+  double persistence = 0.0;  // share of a change of the velocity that comes again in the next step; advance
   numeric::NodeVector velocity_change;  // m/s, over the last step; advance
   tissue::MaxwellBranch branch;         // of tissue that relaxes; corotate_into
   // m/s of the tissue per m/s of the needle, [free nodes], roughly; solve_coupled

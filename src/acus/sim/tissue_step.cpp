@@ -17,6 +17,18 @@ void multiply_as_exactly(numeric::NodeVector& y, const Model& m, Scratch& w, con
   numeric::scale_into(y, 1.0, product, w.team);
 }
 
+// A velocity goes on along a line by as much of its change as came again in the last steps. A smooth motion
+// does all the way; what solves leave over does not, and would be doubled by going on.
+void note_change(State& s, Scratch& w) {
+  numeric::NodeVector& change = w.velocity_before;
+  numeric::scale_and_add_into(change, -1.0, s.velocity, w.team);
+  const double all = numeric::dot(s.velocity_change, s.velocity_change, w.team);
+  const double again = numeric::dot(change, s.velocity_change, w.team);
+  constexpr double memory = 10.0;  // steps
+  s.persistence += ((all > 0.0 ? std::clamp(again / all, 0.0, 1.0) : 0.0) - s.persistence) / memory;
+  std::swap(s.velocity_change, w.velocity_before);
+}
+
 }  // namespace
 
 bool single_precision_will_do(const Scene& scene) {
@@ -32,9 +44,7 @@ void form_momentum(const Model& m, const State& s, Scratch& w) {
 void begin_tissue(const Model& m, State& s, Scratch& w) {
   w.momentum_norm = std::sqrt(numeric::dot(w.momentum, w.momentum, w.team));
   numeric::copy_into(w.velocity_before, s.velocity, w.team);
-  // On along a line. A parabola or a cubic misses a smooth motion by less, but whatever the solves before
-  // left over it makes more of: 4 and 8 times as much, a line twice.
-  numeric::add_scaled_into(s.velocity, 1.0, s.velocity_change, w.team);
+  numeric::add_scaled_into(s.velocity, s.persistence, s.velocity_change, w.team);
   multiply_as_exactly(w.imbalance, m, w, s.velocity);
   numeric::scale_and_add_into(w.imbalance, -1.0, w.momentum, w.team);
 }
@@ -53,8 +63,7 @@ double residual_target(const Model& m, const Scratch& w, double load) {
 
 void move_tissue(const Model& m, State& s, Scratch& w, TissueBefore& before, const StepProbe& probe) {
   const double h = m.scene.run.time_step;
-  numeric::scale_and_add_into(w.velocity_before, -1.0, s.velocity, w.team);
-  std::swap(s.velocity_change, w.velocity_before);
+  note_change(s, w);
   before.elastic_work =
       h * numeric::dot(std::span(w.corotation.elastic_force).first(s.velocity.size()), s.velocity, w.team);
   before.matrix_product =

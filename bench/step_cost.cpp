@@ -34,25 +34,30 @@ constexpr int settling_steps = 50;      // at the default speed, before measurin
 double norm(const numeric::NodeVector& v) { return std::sqrt(numeric::dot(v, v)); }
 
 // |b - A v|
-double left_by(const numeric::NodeVector& v, const numeric::NodeVector& b, const Model& m, const Scratch& w,
-               numeric::NodeVector& product) {
-  tissue::multiply_into(product, m.tissue, w.corotation, w.matrix, v);
+double left_by(const numeric::NodeVector& v, const numeric::NodeVector& b, const Model& m,
+               const tissue::Corotation& exact, const Scratch& w) {
+  numeric::NodeVector product = v;
+  tissue::multiply_into(product, m.tissue, exact, w.matrix, v);
   numeric::scale_and_add_into(product, -1.0, b);
   return norm(product);
 }
 
-// Of the step just solved, its contact and friction with the forces they really have.
-Residual true_residual(const Model& m, const State& s, const Scratch& w, numeric::NodeVector& product) {
+// Of the step just solved, before anything moves: in double, its contact and friction with the forces they
+// really have, and nothing taken from the solve.
+Residual true_residual(const Model& m, const State& s, const Scratch& w, tissue::Corotation& exact) {
   const double h = m.scene.run.time_step;
-  numeric::NodeVector b = w.momentum;
+  numeric::NodeVector before = s.velocity, b = before;
+  numeric::add_scaled_into(before, -1.0, s.velocity_change);
+  tissue::corotate_into(exact, m.tissue, s.position);
+  tissue::momentum_into(b, m.tissue, before, exact.elastic_force, h);
   double load = 0.0;  // N
   for (const RodContact& c : w.rod.contacts) {
     const Vec3 force = contact_load(c, h * (at_contact(s.needle.rod.rate, c) - tissue_rate(s, c)));
     coupling::add_spread(b, *c.at, h * force);
     load += force.norm();
   }
-  const double left = left_by(s.velocity, b, m, w, product);
-  return {left / norm(b), left / left_by(w.velocity_before, b, m, w, product), left / (h * load)};
+  const double left = left_by(s.velocity, b, m, exact, w);
+  return {left / norm(b), left / left_by(before, b, m, exact, w), left / (h * load)};
 }
 
 // The engine's step with a stop watch on its parts.
@@ -60,18 +65,18 @@ class MeasuredInsertion {
  public:
   MeasuredInsertion(Model model, int threads)
       : clock_(clock_for(threads)),
+        threads_(threads),
         model_(std::move(model)),
         state_(initial_state(model_)),
         scratch_(build_scratch(model_, threads)) {
+    exact_ = tissue::build_corotation(model_.tissue);
     tissue::corotate_into(scratch_.corotation, model_.tissue, state_.position);
-    product_ = state_.velocity;
     constexpr std::size_t most_events = 64;
     events_.reserve(most_events);
   }
 
   void advance(double speed) {
     part_us_.fill(0.0);
-    solved_ = false;
     travel_ += speed * model_.scene.run.time_step;
     since_ = clock_();
     advance_rod(model_, state_, scratch_, hub_pose(model_, travel_), frame_, events_,
@@ -84,8 +89,18 @@ class MeasuredInsertion {
   const Model& model() const { return model_; }
   double whole_us() const { return whole_us_; }
   double part_us(int part) const { return part_us_[part]; }
-  const Residual& residual() const { return residual_; }
-  void solve_to(double tolerance) { model_.scene.run.solver_tolerance = tolerance; }
+  // A step that is not timed: what is computed beside it takes its place in the cache.
+  const Residual& advance_and_look(double speed) {
+    solved_ = false;
+    advance(speed);
+    solved_ = true;
+    return residual_;
+  }
+  void solve_to(double tolerance) {
+    model_.scene.run.solver_tolerance = tolerance;
+    scratch_ = build_scratch(model_, threads_);  // in the precision that goes with it
+    tissue::corotate_into(scratch_.corotation, model_.tissue, state_.position);
+  }
 
  private:
   static void heard(void* self, StepPart part) { static_cast<MeasuredInsertion*>(self)->done(part); }
@@ -93,21 +108,22 @@ class MeasuredInsertion {
     part_us_[static_cast<int>(part)] += us_between(since_, clock_());
     // The books are first opened when the solve is over and nothing has moved yet.
     if (part == StepPart::ledger && !std::exchange(solved_, true))
-      residual_ = true_residual(model_, state_, scratch_, product_);
+      residual_ = true_residual(model_, state_, scratch_, exact_);
     since_ = clock_();
   }
 
   std::int64_t (*clock_)();
+  int threads_;
   Model model_;
   State state_;
   Scratch scratch_;
   Frame frame_;
   std::vector<Event> events_;
-  numeric::NodeVector product_;
+  tissue::Corotation exact_;
   std::array<double, step_parts> part_us_{};
   double travel_ = 0.0, whole_us_ = 0.0;
   std::int64_t since_ = 0;
-  bool solved_ = false;  // in the step under way
+  bool solved_ = true;  // and looked at, in the step under way
   Residual residual_;
 };
 
@@ -131,7 +147,6 @@ void measure_insertion(MeasuredInsertion& insertion, int steps, Samples& samples
     insertion.advance(insertion.model().scene.hand.speed);
     samples.whole_us.push_back(insertion.whole_us());
     samples.iterations.push_back(insertion.frame().solver_iterations);
-    samples.residual.push_back(insertion.residual());
     for (int part = 0; part < step_parts; ++part) samples.part_us[part].push_back(insertion.part_us(part));
   }
 }
@@ -148,7 +163,8 @@ Residual residual_at(const std::vector<Residual>& residuals, double share) {
   return all;
 }
 
-// The runs of the reference, and the engine's steps spread evenly between them.
+// The runs of the reference, and the engine's steps spread evenly between them; then as many to see what they
+// leave.
 void measure_in_turns(ReferenceStep& reference, MeasuredInsertion& insertion, const StepWanted& wanted,
                       Samples& samples) {
   const int steps = wanted.steps;
@@ -164,6 +180,8 @@ void measure_in_turns(ReferenceStep& reference, MeasuredInsertion& insertion, co
     measure_insertion(insertion, due - taken, samples);
     taken = due;
   }
+  for (int i = 0; i < steps; ++i)
+    samples.residual.push_back(insertion.advance_and_look(insertion.model().scene.hand.speed));
 }
 
 // What the reference leaves, the medians of a run that is not timed.
@@ -187,8 +205,7 @@ double tolerance_for(MeasuredInsertion& insertion, const Residual& reference, Eq
   for (int i = 0; i < settling_steps; ++i) insertion.advance(insertion.model().scene.hand.speed);
   double loosest = 1.0;
   for (int i = 0; i < settling_steps; ++i) {
-    insertion.advance(insertion.model().scene.hand.speed);
-    const Residual& found = insertion.residual();
+    const Residual& found = insertion.advance_and_look(insertion.model().scene.hand.speed);
     const double of_tolerance = 1.0 / (1.0 / found.of_momentum + 1.0 / found.of_load);
     loosest = std::min(loosest, reference.*quantity * of_tolerance / (found.*quantity));
   }
@@ -228,7 +245,7 @@ Result<StepCost> measure(const StepWanted& wanted) {
   const auto quantity = measure_of(wanted.equal_by);
   // Where one step has left more than the reference, again and more exactly, as far as the needle may go.
   constexpr int most_steps = 2000;
-  for (int taken = 0;; taken += wanted.steps) {
+  for (int taken = 0;; taken += 2 * wanted.steps) {
     insertion.solve_to(tolerance);
     for (int i = 0; i < settling_steps; ++i) insertion.advance(insertion.model().scene.hand.speed);
     Samples samples;
@@ -239,7 +256,7 @@ Result<StepCost> measure(const StepWanted& wanted) {
     StepCost cost = summed_up(insertion.model(), reference, samples);
     cost.reference_residual = of_reference;
     const double over = cost.largest_residual.*quantity / (of_reference.*quantity);
-    if (over <= 1.0 || tolerance == rounding || taken + wanted.steps > most_steps) return cost;
+    if (over <= 1.0 || tolerance == rounding || taken + 2 * wanted.steps > most_steps) return cost;
     constexpr double margin = 0.7;
     tolerance = std::max(margin * tolerance / over, rounding);
   }

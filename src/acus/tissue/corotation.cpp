@@ -30,15 +30,16 @@ struct Sums {
   int safe_rotations = 0;
 };
 
-// Where the `numbers` of an element begin in an array of groups as wide as 64 bytes.
-template <class Real>
-ACUS_INLINE std::size_t place_of(std::size_t first, int numbers) {
-  constexpr std::size_t group = numeric::lane_count<Real>;
-  return numbers * (first / group * group) + first % group;
-}
 ACUS_INLINE void store_part(double* to, const Lane& v) { std::memcpy(to, &v, sizeof v); }
 ACUS_INLINE void store_part(float* to, const Lane& v) {
   for (int l = 0; l < width; ++l) to[l] = static_cast<float>(v[l]);
+}
+// The numbers of a part that begins with element `at`, in an array of groups as wide as 64 bytes.
+template <class Real>
+ACUS_INLINE void store_numbers(std::vector<Real>& array, std::size_t at, int numbers, const Lane* from) {
+  constexpr std::size_t group = numeric::lane_count<Real>;
+  Real* to = &array[numbers * (at / group * group) + at % group];
+  for (int k = 0; k < numbers; ++k) store_part(to + k * group, from[k]);
 }
 
 // One element by itself, from its rest state, whatever it was before and is now.
@@ -183,7 +184,7 @@ ACUS_INLINE void add_branch(const Part& b, Sums& sums, int part, const BranchPar
 
 // Strain, energy and stress. `branch` is a BranchPart, or nothing.
 template <class... Branch>
-ACUS_INLINE void strain(Part& b, Sums& sums, int part, Lane volume, Lane mu, Lane lambda,
+ACUS_INLINE void strain(Part& b, Sums& sums, int part, Lane volume, Lane quarter_volume, Lane mu, Lane lambda,
                         const Branch&... branch) {
   Lane f[9];
   gradient_of(f, b.edge, b.q);
@@ -196,16 +197,16 @@ ACUS_INLINE void strain(Part& b, Sums& sums, int part, Lane volume, Lane mu, Lan
   const Lane minus_two_mu_v = -2.0 * mu * volume, minus_bulk_v = -lambda * volume * trace;
   for (int k = 0; k < 6; ++k) b.stress[k] = minus_two_mu_v * e[k];
   for (int k = 0; k < 3; ++k) b.stress[k] += minus_bulk_v;
-  b.stress[6] = 0.25 * volume * trace;
+  b.stress[6] = quarter_volume * trace;
   if constexpr (sizeof...(branch) > 0)
     add_branch(b, sums, part, branch..., b.stress, b.stress + stress_numbers, e, 2.0 * mu * volume);
 }
 
 // Takes the elements to the positions in `field`. `branch` is a MaxwellBranch, or nothing.
-template <class Real, class... Branch>
-ACUS_INLINE Sums each_element(Range elements, Corotation& out, std::vector<Real>& stresses,
-                              const TissueModel& m, Branch&... branch) {
+template <class... Branch>
+ACUS_INLINE Sums each_element(Range elements, Corotation& out, const TissueModel& m, Branch&... branch) {
   const int numbers = numbers_of_stress(m);
+  const bool single = out.exact.number.empty();
   Sums sums;
   for (std::size_t pair = elements.first / 2; pair < elements.last / 2; pair += lanes) {
     const Offsets* offsets = m.offsets.data() + pair;
@@ -217,8 +218,6 @@ ACUS_INLINE Sums each_element(Range elements, Corotation& out, std::vector<Real>
       Part batch[parts];
       const double* gradient = &m.gradient[9 * first];
       double* q = &out.rotated_gradient[9 * first];
-      float* single = &out.single_gradient[place_of<float>(first, 9)];
-      Real* stress = &stresses[place_of<Real>(first, numbers)];
       for (int p = 0; p < parts; ++p) {
         edges_of_side(batch[p].edge, edge[p], side);
         for (int k = 0; k < 9; ++k) batch[p].q[k] = load_part<Lane>(q + p * width + k * lanes);
@@ -228,18 +227,18 @@ ACUS_INLINE Sums each_element(Range elements, Corotation& out, std::vector<Real>
         Part& b = batch[p];
         const std::size_t at = first + p * width;
         [[maybe_unused]] const std::size_t of_branch = strain_numbers * first + p * width;
-        for (int k = 0; k < 9; ++k) {
-          store_part(q + p * width + k * lanes, b.q[k]);
-          store_part(single + p * width + k * numeric::lane_count<float>, b.q[k]);
-        }
-        strain(b, sums, p, load_part<Lane>(&m.volume[at]), load_part<Lane>(&m.shear[at]),
-               load_part<Lane>(&m.local_lambda[at]),
+        store_numbers(out.rotated_gradient, at, 9, b.q);
+        store_numbers(out.single_gradient, at, 9, b.q);
+        strain(b, sums, p, load_part<Lane>(&m.volume[at]), load_part<Lane>(&m.quarter_volume[at]),
+               load_part<Lane>(&m.shear[at]), load_part<Lane>(&m.local_lambda[at]),
                BranchPart{m.relaxation, &branch.spring[of_branch], &branch.strain[of_branch],
                           gradient + p * width}...);
         if (sizeof...(branch) == 0)
           for (int k = stress_numbers; k < numbers; ++k) b.stress[k] = Lane{};
-        for (int k = 0; k < numbers; ++k)
-          store_part(stress + p * width + k * numeric::lane_count<Real>, b.stress[k]);
+        if (single)
+          store_numbers(out.single.number, at, numbers, b.stress);
+        else
+          store_numbers(out.exact.number, at, numbers, b.stress);
       }
     }
   }
@@ -247,21 +246,11 @@ ACUS_INLINE Sums each_element(Range elements, Corotation& out, std::vector<Real>
 }
 
 // Clone by clone: what is handed to a team is not.
-ACUS_KERNEL Sums take_elements(Range elements, Corotation& out, std::vector<double>& stresses,
-                               const TissueModel& m) {
-  return each_element(elements, out, stresses, m);
+ACUS_KERNEL Sums take_elements(Range elements, Corotation& out, const TissueModel& m) {
+  return each_element(elements, out, m);
 }
-ACUS_KERNEL Sums take_elements(Range elements, Corotation& out, std::vector<float>& stresses,
-                               const TissueModel& m) {
-  return each_element(elements, out, stresses, m);
-}
-ACUS_KERNEL Sums take_elements(Range elements, Corotation& out, std::vector<double>& stresses,
-                               const TissueModel& m, MaxwellBranch& branch) {
-  return each_element(elements, out, stresses, m, branch);
-}
-ACUS_KERNEL Sums take_elements(Range elements, Corotation& out, std::vector<float>& stresses,
-                               const TissueModel& m, MaxwellBranch& branch) {
-  return each_element(elements, out, stresses, m, branch);
+ACUS_KERNEL Sums take_elements(Range elements, Corotation& out, const TissueModel& m, MaxwellBranch& branch) {
+  return each_element(elements, out, m, branch);
 }
 
 // Mean dilations and their pressures from the sums beside the forces, which are cleared. Returns `energy`
@@ -290,7 +279,7 @@ void evaluate(Corotation& out, StressesOf<Real>& stresses, const std::vector<Rea
   });
   std::array<Sums, most_streams> sums;
   m.streams.add(stresses.parts, team, [&](Real* to, Range elements, int stream) {
-    sums[stream] = take_elements(elements, out, stresses.number, m, branch...);
+    sums[stream] = take_elements(elements, out, m, branch...);
     add_forces(to, m, elements, stresses, gradient);
   });
   out.energy = out.relaxed = 0.0;

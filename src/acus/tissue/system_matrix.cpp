@@ -73,8 +73,8 @@ struct Singly {
   float pressure_weight(std::size_t n) const { return a.pressure_weight[n]; }
 };
 
-// Adds what the elements do by themselves and, `with_dilation`, beside it V tr(G) / 4 for the nodes' means.
-template <bool with_dilation, class Real, class Product>
+// Adds what the elements do by themselves and beside it V tr(G) / 4 for the nodes' means.
+template <class Real, class Product>
 ACUS_INLINE void add_local(Real* to, Range elements, const Product& p) {
   using Lane = typename LaneOf<Real>::type;
   const ElementNumbers<Real> gradients(p.gradient, 9), quarters(p.quarter_volume, 1);
@@ -94,25 +94,15 @@ ACUS_INLINE void add_local(Real* to, Range elements, const Product& p) {
           const Lane trace = g[0] + g[4] + g[8];
           stress_of(stress, g, trace, moduli.mu_v(first, part), moduli.lambda_v(first, part));
           corner_forces(force, stress, q);
-          for (auto& corner : force) corner[3] = with_dilation ? quarters.of(first, part)[0] * trace : Lane{};
+          for (auto& corner : force) corner[3] = quarters.of(first, part)[0] * trace;
           put_corners(node, force, side);
         }
       });
 }
 
 // Clone by clone: what is handed to a team is not.
-ACUS_KERNEL void respond_alone(double* to, Range elements, const Exactly& p) {
-  add_local<false>(to, elements, p);
-}
-ACUS_KERNEL void respond_alone(float* to, Range elements, const Singly& p) {
-  add_local<false>(to, elements, p);
-}
-ACUS_KERNEL void respond_and_dilate(double* to, Range elements, const Exactly& p) {
-  add_local<true>(to, elements, p);
-}
-ACUS_KERNEL void respond_and_dilate(float* to, Range elements, const Singly& p) {
-  add_local<true>(to, elements, p);
-}
+ACUS_KERNEL void respond(double* to, Range elements, const Exactly& p) { add_local(to, elements, p); }
+ACUS_KERNEL void respond(float* to, Range elements, const Singly& p) { add_local(to, elements, p); }
 
 // The nodes' pressures from their dilations, which are cleared: padding again.
 template <class Real, class Product>
@@ -141,11 +131,8 @@ void multiply(numeric::NodeVectorOf<Real>& y, const numeric::NodeVectorOf<Real>&
   numeric::each_piece(x.size(), team, [&](Range r) {  // held nodes stay zero
     std::copy(x.begin() + r.first, x.begin() + r.last, p.field.begin() + r.first);
   });
-  if (p.m.kind == ElementKind::linear) {
-    streams.add(p.reaction, team, [&](Real* to, Range elements, int) { respond_alone(to, elements, p); });
-  } else {
-    streams.add(p.reaction, team,
-                [&](Real* to, Range elements, int) { respond_and_dilate(to, elements, p); });
+  streams.add(p.reaction, team, [&](Real* to, Range elements, int) { respond(to, elements, p); });
+  if (p.m.kind == ElementKind::nodal_pressure) {
     streams.sum(p.reaction, team, [&](Real* sum, Range nodes, int) { set_pressures(sum, nodes, p); });
     streams.add(p.reaction, team,
                 [&](Real* to, Range elements, int) { press(to, p.m, elements, p.gradient, p.field); });

@@ -17,8 +17,8 @@ void place_element(TissueModel& m, int e, const Shape& shape, const Material& ma
   for (int i = 0; i < 3; ++i)
     for (int c = 0; c < 3; ++c) m.gradient[lane_place(e, 3 * i + c, 9)] = shape.gradient[i + 1][c];
   m.volume[e] = volume;
-  m.quarter_volume[e] = 0.25 * volume;
-  m.single_quarter_volume[e] = static_cast<float>(0.25 * volume);
+  m.quarter_volume[e] = m.kind == ElementKind::nodal_pressure ? 0.25 * volume : 0.0;
+  m.single_quarter_volume[e] = static_cast<float>(m.quarter_volume[e]);
   m.shear[e] = shear_modulus(material);
   // mu |dev e|^2 = mu |e|^2 - (mu / 3) (tr e)^2: with the bulk part at the nodes only this remains here.
   m.local_lambda[e] =

@@ -36,13 +36,14 @@ struct TissueModel {
   RelaxationStep relaxation;
 
   Streams streams;
-  std::vector<int> element;                  // [tets] which of the elements below it is (pairs.h)
-  std::vector<mesh::Tet> corners;            // [groups][lanes]
-  std::vector<Offsets> offsets;              // [pairs] where their nodes stand in a node vector
-  std::vector<double> gradient;              // [groups][9][lanes] 1/m: g_1, g_2, g_3 of Shape; g_0 = -(sum)
-  std::vector<double> volume;                // [groups][lanes] m^3; 0 of what only fills
-  std::vector<double> quarter_volume;        // [groups][lanes] m^3
-  std::vector<float> single_quarter_volume;  // [groups of 16][16] the same for the inner iterations
+  std::vector<int> element;        // [tets] which of the elements below it is (pairs.h)
+  std::vector<mesh::Tet> corners;  // [groups][lanes]
+  std::vector<Offsets> offsets;    // [pairs] where their nodes stand in a node vector
+  std::vector<double> gradient;    // [groups][9][lanes] 1/m: g_1, g_2, g_3 of Shape; g_0 = -(sum)
+  std::vector<double> volume;      // [groups][lanes] m^3; 0 of what only fills
+  // [groups][lanes] m^3, V / 4 where the nodes have pressures; 0 for linear
+  std::vector<double> quarter_volume;
+  std::vector<float> single_quarter_volume;  // [groups of 16][16] the same
   std::vector<double> shear;                 // [groups][lanes] Pa, mu
   std::vector<double> local_lambda;          // [groups][lanes] Pa, acts on the element's own dilation
   // What the system matrix shows of the two: more by what a Maxwell branch adds to a step (relaxation.h).

@@ -57,20 +57,21 @@ TEST_P(MeshOrder, does_not_change_what_a_hand_feels) {
   for (std::size_t i = 0; i < one.size(); ++i) EXPECT_NEAR(other[i], one[i], rounding) << "step " << i + 1;
 }
 
-// From one element to the one that the same lane takes next, m, on the average; and the spread of the nodes.
+// From one pair of elements to the one that the same lane takes next, m, on the average; and the spread of
+// the nodes.
 struct Locality {
   double stride = 0.0, spread = 0.0;
 };
 Locality locality(const Model& m) {
-  const auto centre = [&](std::size_t t) {
+  const auto centre = [&](std::size_t pair) {
     Vec3 sum = Vec3::Zero();
-    for (int node : m.mesh.tets[t]) sum += m.mesh.nodes[static_cast<std::size_t>(node)];
+    for (int node : m.tissue.corners[tissue::element_of_pair(pair, 0)]) sum += m.mesh.nodes[node];
     return Vec3(sum / 4.0);
   };
   Locality found;
-  const std::size_t lanes = tissue::padding, strides = m.mesh.tets.size() - lanes;
-  for (std::size_t t = 0; t < strides; ++t)
-    found.stride += (centre(t + lanes) - centre(t)).norm() / static_cast<double>(strides);
+  const std::size_t lanes = tissue::batch_pairs, strides = m.tissue.corners.size() / 2 - lanes;
+  for (std::size_t pair = 0; pair < strides; ++pair)
+    found.stride += (centre(pair + lanes) - centre(pair)).norm() / static_cast<double>(strides);
   found.spread = mesh::node_spread(m.mesh).mean;
   return found;
 }

@@ -5,11 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 #include <random>
 #include <set>
 
 #include "acus/mesh/block.h"
 #include "acus/mesh/order.h"
+#include "acus/tissue/tissue_model.h"
 
 namespace acus::tissue {
 namespace {
@@ -78,6 +80,32 @@ TEST(Pairs, are_not_made_across_a_fold) {
   mesh.nodes = {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ(), Vec3(0.2, 0.2, 2.0)};
   mesh.tets = {{0, 1, 2, 3}, {0, 1, 2, 4}};
   EXPECT_EQ(expect_sound(mesh), 2);
+}
+
+// Such a mesh is refused where it comes from a file, but nothing may break.
+TEST(Pairs, stand_faces_that_many_share) {
+  mesh::TetMesh mesh;
+  mesh.nodes = {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY()};
+  for (int i = 0; i < 12; ++i) {
+    const double up = i % 2 == 0 ? 1.0 + i : -1.0 - i;
+    mesh.nodes.emplace_back(0.2, 0.2, up);
+    mesh.tets.push_back(up > 0.0 ? mesh::Tet{0, 1, 2, 3 + i} : mesh::Tet{0, 2, 1, 3 + i});
+  }
+  expect_sound(mesh);
+}
+
+// What fills the batches has no volume.
+TEST(Pairs, of_a_model_have_the_volume_of_the_mesh) {
+  const Material soft{.youngs_modulus = 1e4, .poisson_ratio = 0.4, .density = 1e3};
+  for (const mesh::TetMesh& mesh : {apart(1), apart(16), apart(33), block(1000), block(8000)}) {
+    const auto model = build_tissue_model(mesh, std::vector<Material>(mesh.tets.size(), soft),
+                                          ElementKind::nodal_pressure, static_cast<int>(mesh.nodes.size()));
+    ASSERT_TRUE(model.ok());
+    const double whole = mesh::total_volume(mesh);
+    EXPECT_NEAR(std::accumulate(model->volume.begin(), model->volume.end(), 0.0), whole, 1e-12 * whole);
+    EXPECT_NEAR(std::accumulate(model->quarter_volume.begin(), model->quarter_volume.end(), 0.0),
+                0.25 * whole, 1e-12 * whole);
+  }
 }
 
 // Adding to a node waits for who adds to it just before; dealt like cards, the pairs of a batch are apart.

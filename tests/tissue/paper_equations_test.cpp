@@ -92,6 +92,15 @@ TEST_P(PaperEquations, stored_matrix_at_rest_is_that_of_eq_7) {
       stored.block<3, 3>(3 * e.column, 3 * i) = e.block.transpose();
     }
   EXPECT_LT((stored - A).norm(), 1e-12 * A.norm());
+
+  // Jacobi's preconditioner, node by node.
+  const std::vector<float> inverse = numeric::inverse_diagonal(rest);
+  for (int i = 0; i < held.free_nodes; ++i) {
+    Mat3 block;
+    for (int c = 0; c < 3; ++c) block.col(c) = numeric::at(inverse, 3 * i + c).cast<double>();
+    EXPECT_LT((block * A.block<3, 3>(3 * i, 3 * i) - Mat3::Identity()).norm(), 1e-5)
+        << "node " << i;  // floats
+  }
 }
 
 TEST_P(PaperEquations, steps_of_a_small_block_are_those_of_a_dense_solver) {

@@ -137,7 +137,9 @@ numeric::SolveOutcome solve_tissue(const Model& m, State& s, Scratch& w, double 
   for (const HeldPoint& p : w.held)
     load +=
         std::abs(coupling::advance(p.slider, m.scene.run.time_step * (rate - tissue_rate(m, s, p))).force);
-  target = exactness * residual_target(m, w, load);
+  numeric::copy_into(w.change, w.momentum, w.team);
+  add_held(w.change, m, w, rate, 1.0);
+  target = exactness * residual_target(m, w, w.change, load);
   add_held(w.imbalance, m, w, rate, 1.0);
   add_sticks(w.imbalance, m, w, s.velocity, -1.0);
   probe(StepPart::coupling);

@@ -101,6 +101,12 @@ double tip_stiffness(const Model& m) {
   return 1.0 / (1.0 / c.stiffness + missing * half_space_sink(1.0, m.scene.tissue, c.contact_radius));
 }
 
+void precondition(Model& m) {
+  const numeric::LowerBlocks at_rest = tissue::rest_matrix(m.tissue, m.factors.mass, m.factors.stiffness);
+  m.inverse_block = numeric::inverse_diagonal(at_rest);
+  m.coarse = numeric::build_coarse_space(std::span(m.mesh.nodes).first(m.tissue.free_nodes), at_rest);
+}
+
 }  // namespace
 
 void attach_disc_into(coupling::Attachment& out, const Model& m, const Vec3& point, const Vec3& axis) {
@@ -165,9 +171,7 @@ Result<Model> build_model(const Scene& scene, const mesh::TetMesh* mesh) {
   m.tissue = std::move(*tissue);
   m.damping = {t.damping_mass, t.damping_stiffness};
   m.factors = tissue::step_factors(scene.run.time_step, m.damping);
-  const numeric::LowerBlocks at_rest = tissue::rest_matrix(m.tissue, m.factors.mass, m.factors.stiffness);
-  m.inverse_block = numeric::inverse_diagonal(at_rest);
-  m.coarse = numeric::build_coarse_space(std::span(m.mesh.nodes).first(free_nodes), at_rest);
+  precondition(m);
   m.locator.emplace(m.mesh);
   m.disc_rings = coupling::rings_for(scene.contact.contact_radius, mesh::quality(m.mesh).shortest_edge);
   m.tip_stiffness = tip_stiffness(m);

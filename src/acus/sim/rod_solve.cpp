@@ -225,8 +225,10 @@ bool improve(const Model& m, State& s, Scratch& w, RodOutcome& outcome, const St
     const Product product{m, w};
     add_contacts(w.imbalance, m, s, w, 1.0);
     product.add_rod(w.imbalance, s.velocity, -1.0);
+    numeric::copy_into(w.change, w.momentum, w.team);
+    add_contacts(w.change, m, s, w, 1.0);
+    const double target = residual_target(m, w, w.change, load);
     probe(StepPart::coupling);
-    const double target = residual_target(m, w, load);
     const double start = std::sqrt(numeric::dot(w.imbalance, w.imbalance, w.team));
     const numeric::SolveOutcome solve =
         improve_velocity(m, s, w, start > far * target ? forcing * start : target, product);

@@ -59,7 +59,6 @@ struct Scratch {
   numeric::SolveScratch<double> exact_solver;  // where the scene asks for double precision
   numeric::CoarseScratch coarse;
   numeric::NodeVector momentum;  // M v0 + h f_el + impulses that do not depend on the step
-  double momentum_norm = 0.0;
   // What the tissue's own equation is short of with state.velocity: momentum - A v. Contacts make up for it:
   // during a solve it is the residual of the equation with them.
   numeric::NodeVector imbalance;
@@ -68,7 +67,8 @@ struct Scratch {
 
   numeric::NodeVector velocity_tried;   // at the start of a line search
   numeric::NodeVector imbalance_tried;  // there
-  numeric::NodeVector change;           // of the velocity, over the whole of it
+  // Of the velocity, over the whole of it; in between, the right-hand side with the contacts.
+  numeric::NodeVector change;
   numeric::NodeVectorOf<float> answer;  // as state.influence, for resistance()
   std::vector<HeldPoint> held;          // of a column: the tip first
   RodScratch rod;                       // of a rod

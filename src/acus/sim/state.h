@@ -36,7 +36,7 @@ struct GuideHold {
 struct State {
   long steps = 0;                // taken so far; time is this many time steps, without a sum's rounding
   std::vector<Vec3> position;    // m, [nodes]; advance
-  numeric::NodeVector velocity;  // m/s, [free nodes]; solve_coupled
+  numeric::NodeVector velocity;  // m/s, [free nodes]; begin_tissue and the solves
   double persistence = 0.0;  // share of a change of the velocity that comes again in the next step; advance
   numeric::NodeVector velocity_change;  // m/s, over the last step; advance
   tissue::MaxwellBranch branch;         // of tissue that relaxes; corotate_into

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace acus {
 
@@ -17,23 +18,27 @@ void multiply_as_exactly(numeric::NodeVector& y, const Model& m, Scratch& w, con
   numeric::scale_into(y, 1.0, product, w.team);
 }
 
-// A velocity goes on along a line by as much of its change as came again in the last steps. A smooth motion
-// does all the way; what solves leave over does not, and would be doubled by going on.
 void note_change(State& s, Scratch& w) {
   numeric::NodeVector& change = w.velocity_before;
   numeric::scale_and_add_into(change, -1.0, s.velocity, w.team);
-  const double all = numeric::dot(s.velocity_change, s.velocity_change, w.team);
-  const double again = numeric::dot(change, s.velocity_change, w.team);
-  constexpr double memory = 10.0;  // steps
-  s.persistence += ((all > 0.0 ? std::clamp(again / all, 0.0, 1.0) : 0.0) - s.persistence) / memory;
+  s.persistence = persistence_after(s.persistence, numeric::dot(change, s.velocity_change, w.team),
+                                    numeric::dot(s.velocity_change, s.velocity_change, w.team));
   std::swap(s.velocity_change, w.velocity_before);
 }
 
 }  // namespace
 
 bool single_precision_will_do(const Scene& scene) {
-  constexpr double least_tolerance = 1e-6;  // of the load
+  const double nu = scene.tissue.poisson_ratio;
+  const double bulk_over_shear = (1.0 + nu) / (1.5 - 3.0 * nu);
+  const double least_tolerance = std::max(1e-6, 2e-9 * bulk_over_shear);
   return scene.run.solver_tolerance >= least_tolerance && scene.run.solver_precision == Precision::single_;
+}
+
+double persistence_after(double before, double again, double all) {
+  constexpr double memory = 10.0;  // steps
+  const double now = all > 0.0 ? std::clamp(again / all, 0.0, 1.0) : 0.0;
+  return before + (now - before) / memory;
 }
 
 void form_momentum(const Model& m, const State& s, Scratch& w) {
@@ -42,7 +47,6 @@ void form_momentum(const Model& m, const State& s, Scratch& w) {
 }
 
 void begin_tissue(const Model& m, State& s, Scratch& w) {
-  w.momentum_norm = std::sqrt(numeric::dot(w.momentum, w.momentum, w.team));
   numeric::copy_into(w.velocity_before, s.velocity, w.team);
   numeric::add_scaled_into(s.velocity, s.persistence, s.velocity_change, w.team);
   multiply_as_exactly(w.imbalance, m, w, s.velocity);
@@ -56,9 +60,10 @@ numeric::SolveOutcome improve_in_double(
                                          w.solver.single, multiply, preconditioner(m, w), w.team);
 }
 
-double residual_target(const Model& m, const Scratch& w, double load) {
-  return m.scene.run.solver_tolerance *
-         (w.momentum_norm + m.scene.run.time_step * std::max(load, m.least_load));
+double residual_target(const Model& m, const Scratch& w, const numeric::NodeVector& right_hand_side,
+                       double load) {
+  const double norm = std::sqrt(numeric::dot(right_hand_side, right_hand_side, w.team));
+  return m.scene.run.solver_tolerance * (norm + m.scene.run.time_step * std::max(load, m.least_load));
 }
 
 void move_tissue(const Model& m, State& s, Scratch& w, TissueBefore& before, const StepProbe& probe) {

@@ -24,13 +24,19 @@ bool single_precision_will_do(const Scene& scene);
 // The momentum at the present positions, without the needle.
 void form_momentum(const Model& model, const State& state, Scratch& scratch);
 
+// The share of a change that a velocity goes on by in the next step: as much as came again in the last ones,
+// `again` the product of the last change with the one before and `all` that one's square. A smooth motion
+// goes on all the way; what solves leave over does not come again, and would be doubled by going on.
+double persistence_after(double before, double again, double all);
+
 // A start for the solve near its answer, from the velocities before, and its imbalance. The momentum is
 // complete.
 void begin_tissue(const Model& model, State& state, Scratch& scratch);
 
-// N s, what a solve may leave: the scene's tolerance of the momentum and of the `load` [N] on the tissue. In
-// a slow insertion the first is what hardly moves, a hundredth of the load and less.
-double residual_target(const Model& model, const Scratch& scratch, double load);
+// N s, what a solve may leave: the scene's tolerance of its right-hand side and of the `load` [N] on the
+// tissue. In a slow insertion the first is what hardly moves, a hundredth of the load and less.
+double residual_target(const Model& model, const Scratch& scratch, const numeric::NodeVector& right_hand_side,
+                       double load);
 
 // Jacobi by the blocks of the nodes and a coarse grid, for the matrix of the tissue alone.
 inline auto preconditioner(const Model& m, Scratch& w) {

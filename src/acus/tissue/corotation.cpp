@@ -206,7 +206,7 @@ ACUS_INLINE void strain(Part& b, Sums& sums, int part, Lane volume, Lane quarter
 template <class... Branch>
 ACUS_INLINE Sums each_element(Range elements, Corotation& out, const TissueModel& m, Branch&... branch) {
   const int numbers = numbers_of_stress(m);
-  const bool single = out.exact.number.empty();
+  const bool single = !out.single.numbers.empty();
   Sums sums;
   for (std::size_t pair = elements.first / 2; pair < elements.last / 2; pair += lanes) {
     const Offsets* offsets = m.offsets.data() + pair;
@@ -236,9 +236,9 @@ ACUS_INLINE Sums each_element(Range elements, Corotation& out, const TissueModel
         if (sizeof...(branch) == 0)
           for (int k = stress_numbers; k < numbers; ++k) b.stress[k] = Lane{};
         if (single)
-          store_numbers(out.single.number, at, numbers, b.stress);
+          store_numbers(out.single.numbers, at, numbers, b.stress);
         else
-          store_numbers(out.exact.number, at, numbers, b.stress);
+          store_numbers(out.exact.numbers, at, numbers, b.stress);
       }
     }
   }
@@ -312,7 +312,7 @@ void evaluate(Corotation& out, StressesOf<Real>& stresses, const std::vector<Rea
 template <class... Branch>
 void evaluate(Corotation& out, const TissueModel& m, std::span<const Vec3> positions, const Team& team,
               Branch&... branch) {
-  if (out.single.number.empty())
+  if (out.single.numbers.empty())
     evaluate(out, out.exact, out.rotated_gradient, m, positions, team, branch...);
   else
     evaluate(out, out.single, out.single_gradient, m, positions, team, branch...);

@@ -20,13 +20,14 @@ namespace acus::tissue {
 
 struct Corotation {
   std::vector<double> rotated_gradient;  // [groups][9][lanes] 1/m: q_i = R g_i of corners 1 to 3
-  std::vector<float> single_gradient;  // [groups of 16][9][16], the same for the inner iterations of a solve
-  std::vector<double> dilation;        // [nodes] theta_a; stays empty for linear
-  numeric::NodeVector elastic_force;   // [nodes] N, of the tissue on its nodes
-  double energy = 0.0;                 // J, with that of the branches' springs
-  double relaxed = 0.0;                // J, spent by the branches' dashpots in the step that ends here
-  bool finite = true;                  // false as soon as a position is not a number
-  int safe_rotations = 0;              // elements that needed the slow, safe rotation
+  std::vector<float> single_gradient;    // [groups of 16][9][16], the same for what floats do
+  std::vector<double> dilation;          // [nodes] theta_a; stays empty for linear
+  numeric::NodeVector
+      elastic_force;    // [nodes] N, of the tissue on its nodes; sums of floats where the precision is single
+  double energy = 0.0;  // J, with that of the branches' springs
+  double relaxed = 0.0;    // J, spent by the branches' dashpots in the step that ends here
+  bool finite = true;      // false as soon as a position is not a number
+  int safe_rotations = 0;  // elements and fillers that needed the slow, safe rotation
 
   // Working memory: the positions, and the stresses in the precision that was chosen.
   numeric::NodeVector field;

@@ -7,6 +7,8 @@
 
 namespace acus::tissue {
 
+static_assert(batch_pairs == numeric::lane_count<float> && lanes == numeric::lane_count<double>);
+
 using numeric::ElementLane;
 using numeric::lane_count;
 using numeric::NodeLane;

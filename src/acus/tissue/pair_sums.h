@@ -7,13 +7,13 @@ namespace acus::tissue {
 
 // For a precision: how many numbers a kernel works on at once.
 template <class Real>
-struct LaneOf;
+struct KernelLane;
 template <>
-struct LaneOf<double> {
+struct KernelLane<double> {
   using type = ExactLane;
 };
 template <>
-struct LaneOf<float> {
+struct KernelLane<float> {
   using type = PackedLane;
 };
 
@@ -21,7 +21,7 @@ struct LaneOf<float> {
 template <class Real>
 class ElementNumbers {
  public:
-  using Lane = typename LaneOf<Real>::type;
+  using Lane = typename KernelLane<Real>::type;
   // Those of one part of the group that begins with element `first`.
   class Part {
    public:
@@ -47,7 +47,7 @@ class ElementNumbers {
 // puts on their nodes.
 template <class Real, class Respond>
 ACUS_INLINE void add_pairs(Real* to, const TissueModel& m, numeric::Range elements, Respond respond) {
-  using Lane = typename LaneOf<Real>::type;
+  using Lane = typename KernelLane<Real>::type;
   constexpr int parts = lane_count<Real> / lanes_in<Real, Lane>;
   for (std::size_t pair = elements.first / 2; pair < elements.last / 2; pair += lane_count<Real>) {
     const Offsets* offsets = m.offsets.data() + pair;

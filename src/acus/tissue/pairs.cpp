@@ -79,8 +79,9 @@ class Matching {
   int across(int f, int tet) const { return faces_[f][faces_[f][0].tet == tet ? 1 : 0].tet; }
   bool is_free(int tet) const { return partner_[tet] == none; }
   std::size_t choice(int tet) const {
-    return static_cast<std::size_t>(std::count_if(around_[tet].begin(), around_[tet].end(),
-                                                  [&](int f) { return is_free(across(f, tet)); }));
+    const auto free = std::count_if(around_[tet].begin(), around_[tet].end(),
+                                    [&](int f) { return is_free(across(f, tet)); });
+    return std::min<std::size_t>(free, 4);  // more only where three share a face
   }
   void wait(int tet) {
     if (const std::size_t k = choice(tet); k > 0) waiting_[k].push_back(tet);
@@ -128,15 +129,17 @@ std::vector<Pair> pairs_of(const std::vector<Tet>& tets) {
   return pairs;
 }
 
+std::size_t batches_of(std::size_t pairs) { return (pairs + batch_pairs - 1) / batch_pairs; }
+
 // Deals the pairs of each stream to the lanes of the kernels like cards from as many stacks, each a run of
 // neighbours: the pairs of a batch then share few nodes, and adding to a node seldom waits for the one
 // before.
 std::vector<Pair> dealt(const std::vector<Pair>& pairs) {
   std::vector<Pair> to;
-  const std::size_t stream = stream_length(2 * pairs.size()) / 2;
+  const std::size_t stream = stream_length(batches_of(pairs.size()) * batch_elements) / 2;
   for (std::size_t first = 0; first < pairs.size(); first += stream) {
     const std::size_t last = std::min(first + stream, pairs.size());
-    const std::size_t batches = (last - first + batch_pairs - 1) / batch_pairs;
+    const std::size_t batches = batches_of(last - first);
     for (std::size_t batch = first; batch < first + batches; ++batch)
       for (std::size_t p = batch; p < last; p += batches) to.push_back(pairs[p]);
   }
@@ -148,7 +151,7 @@ std::vector<Pair> dealt(const std::vector<Pair>& pairs) {
 Pairing pair_up(const std::vector<Tet>& tets) {
   Pairing out;
   const std::vector<Pair> pairs = dealt(pairs_of(tets));
-  const std::size_t batches = (pairs.size() + batch_pairs - 1) / batch_pairs;
+  const std::size_t batches = batches_of(pairs.size());
   out.corners.resize(batches * batch_elements);
   out.tet.resize(out.corners.size());
   out.element.assign(tets.size(), none);

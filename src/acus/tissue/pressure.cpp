@@ -11,7 +11,7 @@ template <class Real>
 ACUS_INLINE void add_pressures(Real* to, const TissueModel& m, Range elements,
                                const std::vector<Real>& gradient, const std::vector<Real>& quarter_volume,
                                const numeric::NodeVectorOf<Real>& field) {
-  using Lane = typename LaneOf<Real>::type;
+  using Lane = typename KernelLane<Real>::type;
   const ElementNumbers<Real> gradients(gradient, 9), quarters(quarter_volume, 1);
   add_pairs(
       to, m, elements,

@@ -1,6 +1,7 @@
 #include "acus/tissue/rest_matrix.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace acus::tissue {
 namespace {
@@ -63,7 +64,7 @@ numeric::LowerBlocks rest_matrix(const TissueModel& m, double mass_factor, doubl
         auto known = std::find_if(neighbours[a].begin(), neighbours[a].end(),
                                   [&](const Neighbour& n) { return n.node == node; });
         if (known == neighbours[a].end()) known = neighbours[a].insert(known, {.node = node});
-        known->dilation += 0.25 * m.volume[at.element] * gradient_at(m, at.element, j);
+        known->dilation += m.quarter_volume[at.element] * gradient_at(m, at.element, j);
       }
 
   numeric::LowerBlocks a;

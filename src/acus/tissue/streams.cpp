@@ -6,7 +6,7 @@
 namespace acus::tissue {
 namespace {
 
-constexpr std::size_t fewest_cut = 6000;  // tetrahedra: less takes one thread no longer than two
+constexpr std::size_t fewest_cut = 6000;  // elements: less takes one thread no longer than two
 constexpr std::size_t block = numeric::cut_step / numeric::node_stride;  // nodes: runs are made of such
 
 template <class Real>

@@ -10,9 +10,9 @@ using numeric::Range;
 template <bool with_skew, class Real>
 ACUS_INLINE void add(Real* to, const TissueModel& m, Range elements, const StressesOf<Real>& stresses,
                      const std::vector<Real>& gradient) {
-  using Lane = typename LaneOf<Real>::type;
+  using Lane = typename KernelLane<Real>::type;
   const ElementNumbers<Real> gradients(gradient, 9),
-      numbers(stresses.number, with_skew ? stress_numbers_with_skew : stress_numbers);
+      numbers(stresses.numbers, with_skew ? stress_numbers_with_skew : stress_numbers);
   add_pairs(
       to, m, elements,
       [&](std::size_t pair, int part, const Offsets*, Lane(*node)[4]) __attribute__((always_inline)) {
@@ -64,7 +64,7 @@ template <class Real>
 StressesOf<Real> build_stresses(const TissueModel& m) {
   StressesOf<Real> s;
   const std::size_t size = static_cast<std::size_t>(m.nodes) * numeric::node_stride;
-  s.number.assign(m.corners.size() * numbers_of_stress(m), Real{});
+  s.numbers.assign(m.corners.size() * numbers_of_stress(m), Real{});
   s.parts.assign(m.streams.count() * size, Real{});
   if (m.kind == ElementKind::nodal_pressure) s.pressure.assign(size, Real{});
   return s;

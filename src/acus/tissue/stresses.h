@@ -16,13 +16,12 @@ inline int numbers_of_stress(const TissueModel& m) {
   return m.relaxation.relaxes() ? stress_numbers_with_skew : stress_numbers;
 }
 
-// Exactly, or in single precision: rounded to 1e-7 of themselves, which a force that is solved for to 1e-6 of
-// the load does not show.
+// Exactly, or in single precision: rounded to 1e-7 of the stresses.
 enum class ForcePrecision { exact, single };
 
 template <class Real>
 struct StressesOf {
-  std::vector<Real> number;              // [groups][stress_numbers][as many as fill 64 bytes]
+  std::vector<Real> numbers;             // [groups][numbers_of_stress][as many as fill 64 bytes]
   numeric::NodeVectorOf<Real> pressure;  // [nodes], the fourth number; empty for linear
   numeric::NodeVectorOf<Real> parts;     // [streams][nodes] what they ask of the nodes, zero in between
 };

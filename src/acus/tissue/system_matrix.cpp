@@ -1,7 +1,6 @@
 #include "acus/tissue/system_matrix.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "acus/tissue/pair_sums.h"
 #include "acus/tissue/pressure.h"
@@ -10,7 +9,6 @@ namespace acus::tissue {
 namespace {
 
 using numeric::load4;
-using numeric::load_lanes;
 using numeric::node_stride;
 using numeric::Range;
 using numeric::store4;
@@ -76,7 +74,7 @@ struct Singly {
 // Adds what the elements do by themselves and beside it V tr(G) / 4 for the nodes' means.
 template <class Real, class Product>
 ACUS_INLINE void add_local(Real* to, Range elements, const Product& p) {
-  using Lane = typename LaneOf<Real>::type;
+  using Lane = typename KernelLane<Real>::type;
   const ElementNumbers<Real> gradients(p.gradient, 9), quarters(p.quarter_volume, 1);
   const typename Product::Moduli moduli(p.a, p.m);
   add_pairs(
@@ -104,7 +102,7 @@ ACUS_INLINE void add_local(Real* to, Range elements, const Product& p) {
 ACUS_KERNEL void respond(double* to, Range elements, const Exactly& p) { add_local(to, elements, p); }
 ACUS_KERNEL void respond(float* to, Range elements, const Singly& p) { add_local(to, elements, p); }
 
-// The nodes' pressures from their dilations, which are cleared: padding again.
+// The nodes' pressures from their dilations, which are cleared: a sum's fourth number is zero otherwise.
 template <class Real, class Product>
 void set_pressures(Real* sum, Range nodes, const Product& p) {
   Real* field = p.field.data();

@@ -36,7 +36,7 @@ struct TissueModel {
   RelaxationStep relaxation;
 
   Streams streams;
-  std::vector<int> element;        // [tets] which of the elements below it is (pairs.h)
+  std::vector<int> element;        // [tets] its element, of those below (pairs.h)
   std::vector<mesh::Tet> corners;  // [groups][lanes]
   std::vector<Offsets> offsets;    // [pairs] where their nodes stand in a node vector
   std::vector<double> gradient;    // [groups][9][lanes] 1/m: g_1, g_2, g_3 of Shape; g_0 = -(sum)

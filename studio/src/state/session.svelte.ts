@@ -53,7 +53,7 @@ export class Session {
   private restart = 0;
   private runs = 0;
   private meter = new RateMeter();
-  private wasPaused = false;
+  private stoppedToLook = false; // time stands still because a recording is open
   private pauses = false; // whether time stands still is as this page said, and not as the engine says
   private pushing = false; // this page gave the hand its place
   private touchDue = false; // the first touch of an insertion at a server
@@ -293,8 +293,8 @@ export class Session {
   openPlayer(recording: Recording | null = this.run): void {
     if (!recording || recording.length === 0 || this.player?.recording === recording) return;
     this.closePlayer();
-    if (this.engine) {
-      this.wasPaused = this.paused;
+    if (this.engine && !this.paused) {
+      this.stoppedToLook = true;
       this.pause(true);
     }
     const player = new RecordingSource(recording);
@@ -331,6 +331,7 @@ export class Session {
     this.player = null;
     this.playing = false;
     if (recording === this.run) this.frame = recording.frame(recording.length - 1);
-    this.pause(this.wasPaused);
+    if (this.stoppedToLook) this.pause(false);
+    this.stoppedToLook = false;
   }
 }

@@ -61,7 +61,8 @@ numeric::SolveOutcome improve_velocity(const Model& m, State& s, Scratch& w, dou
                                        const Multiply& multiply) {
   numeric::SolveOutcome outcome =
       m.scene.run.solver_precision == Precision::single_
-          ? numeric::improve_refined_into(s.velocity, w.imbalance, target, max_iterations, w.solver, multiply,
+          ? numeric::improve_refined_into(s.velocity, w.imbalance, target, max_iterations,
+                                          single_precision_will_do(m.scene), w.solver, multiply,
                                           preconditioner(m, w), w.team)
           : improve_in_double(m, s, w, target, std::cref(multiply));
   outcome.broke_down = outcome.broke_down || outcome.residual_norm > target;

@@ -50,7 +50,7 @@ Residual true_residual(const Model& m, const State& s, const Scratch& w, tissue:
   numeric::NodeVector before = s.velocity, b = before;
   numeric::add_scaled_into(before, -1.0, s.velocity_change);
   // The forces of the step where they are exact: once more corrected rotations would differ by 1e-12.
-  if (w.corotation.single.numbers.empty())
+  if (!w.corotation.is_single())
     exact = w.corotation;
   else
     tissue::corotate_into(exact, m.tissue, s.position);

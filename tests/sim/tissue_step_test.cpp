@@ -46,8 +46,8 @@ TEST(SinglePrecision, is_chosen_where_the_tolerance_allows) {
     const auto model = build_model(scene, nullptr);
     EXPECT_TRUE(model.ok());
     const Scratch scratch = build_scratch(*model);
-    EXPECT_NE(scratch.corotation.single.numbers.empty(), scratch.corotation.exact.numbers.empty());
-    return !scratch.corotation.single.numbers.empty();
+    EXPECT_NE(scratch.corotation.single.turn.empty(), scratch.corotation.exact.turn.empty());
+    return scratch.corotation.is_single();
   };
   EXPECT_TRUE(chosen(5e-5, 0.48, Precision::single_));
   EXPECT_TRUE(chosen(1e-6, 0.48, Precision::single_));

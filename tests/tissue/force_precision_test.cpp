@@ -40,7 +40,14 @@ TEST_P(ForcePrecisions, single_is_exact_to_the_rounding_of_floats) {
     EXPECT_GT(largest, 0.0);
     EXPECT_LT(error, of.bound * largest) << "step " << step;
     EXPECT_NEAR(single.energy, exact.corotation.energy, of.bound * exact.corotation.energy);
-    EXPECT_EQ(single.rotated_gradient, exact.corotation.rotated_gradient);
+    const std::vector<float>&of_single = single.single.gradient, &of_exact = exact.corotation.single.gradient;
+    ASSERT_EQ(of_single.size(), of_exact.size());
+    double steepest = 0.0, apart = 0.0;
+    for (std::size_t i = 0; i < of_exact.size(); ++i) {
+      steepest = std::max(steepest, std::abs(static_cast<double>(of_exact[i])));
+      apart = std::max(apart, std::abs(static_cast<double>(of_single[i] - of_exact[i])));
+    }
+    EXPECT_LT(apart, 5e-7 * steepest);
   }
 }
 

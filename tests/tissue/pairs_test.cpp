@@ -103,7 +103,7 @@ TEST(Pairs, of_a_model_have_the_volume_of_the_mesh) {
     ASSERT_TRUE(model.ok());
     const double whole = mesh::total_volume(mesh);
     EXPECT_NEAR(std::accumulate(model->volume.begin(), model->volume.end(), 0.0), whole, 1e-12 * whole);
-    EXPECT_NEAR(std::accumulate(model->quarter_volume.begin(), model->quarter_volume.end(), 0.0),
+    EXPECT_NEAR(std::accumulate(model->exact.quarter_volume.begin(), model->exact.quarter_volume.end(), 0.0),
                 0.25 * whole, 1e-12 * whole);
   }
 }

@@ -130,10 +130,12 @@ class BareTissue {
           multiply_into(y, model, corotation, matrix, p);
         },
         [&](numeric::NodeVector& z, const numeric::NodeVector& r) {
-          const numeric::NodeVectorOf<float> single(r.begin(), r.end());
-          numeric::NodeVectorOf<float> product(single.size());
+          const double size =
+              std::sqrt(numeric::dot(r, r));  // so that nothing falls below the smallest float
+          numeric::NodeVectorOf<float> single(r.size()), product(r.size());
+          numeric::scale_into(single, size > 0.0 ? 1.0 / size : 1.0, r);
           numeric::multiply_blocks_into(product, inverse_block_, single);
-          std::copy(product.begin(), product.end(), z.begin());
+          numeric::scale_into(z, size, product);
         });
     iterations = outcome.iterations;
     EXPECT_LE(outcome.residual_norm, relative_residual * norm);

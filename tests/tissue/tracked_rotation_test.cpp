@@ -18,17 +18,27 @@ double angle_between(const Mat3& a, const Mat3& b) {
   return 0.5 * Vec3(skew(2, 1), skew(0, 2), skew(1, 0)).norm();
 }
 
+// With unit vectors for gradients the displacement's edges are the columns of F - I, and the q_i those of R.
 struct Corrected {
-  Mat3 rotation;
+  Eigen::Quaterniond turn;
   double change = 0.0, margin = 0.0;
+  Mat3 rotation() const {
+    Mat3 r;
+    turn_less_identity(r.data(), turn.coeffs().data());
+    return r + Mat3::Identity();
+  }
 };
-Corrected correct(const Mat3& F, const Mat3& R) {
-  Corrected c{R};
-  Mat3 b;
-  gradient_of(b.data(), F.data(), R.data());
-  c.margin = correct_rotation(c.rotation.data(), b.data(), c.change);
+Corrected correct(const Mat3& F, const Eigen::Quaterniond& turn) {
+  Corrected c{turn};
+  const Mat3 g = Mat3::Identity(), u = F - g;
+  Mat3 r, q, b;
+  turn_less_identity(r.data(), turn.coeffs().data());
+  turn_gradients(q.data(), r.data(), g.data());
+  stretch_less_identity(b.data(), r.data(), u.data(), q.data());
+  c.margin = correct_turn(c.turn.coeffs().data(), b.data(), c.change);
   return c;
 }
+Corrected correct(const Mat3& F, const Mat3& R) { return correct(F, Eigen::Quaterniond(R)); }
 
 // Stretches between 0.7 and 1.4 along random axes.
 Mat3 random_stretch(std::mt19937& random) {
@@ -48,8 +58,8 @@ TEST(TrackedRotation, one_correction_leaves_the_cube_of_the_turn) {
       const Corrected c = correct(F, turn(w * way) * R);
       EXPECT_NEAR(std::sqrt(c.change), w, 0.2 * w);
       EXPECT_GT(c.margin, 0.0);
-      EXPECT_LT(angle_between(c.rotation, R), 0.5 * w * w * w + 1e-15);
-      EXPECT_LT((c.rotation.transpose() * c.rotation - Mat3::Identity()).norm(), 1e-14);
+      EXPECT_LT(angle_between(c.rotation(), R), 0.5 * w * w * w + 1e-15);
+      EXPECT_LT((c.rotation().transpose() * c.rotation() - Mat3::Identity()).norm(), 1e-14);
     }
   }
 }
@@ -66,16 +76,19 @@ TEST(TrackedRotation, does_not_take_a_saddle_for_the_nearest_rotation) {
   }
 }
 
-// Turning for long: the q_i keep their lengths and angles.
+// Turning for long: the quaternion keeps its length.
 TEST(TrackedRotation, stays_a_rotation_over_a_million_corrections) {
   const Mat3 F = Vec3(1.1, 0.9, 1.05).asDiagonal();
-  Mat3 R = Mat3::Identity(), turned = Mat3::Identity();
+  Corrected tracked{Eigen::Quaterniond::Identity()};
+  Mat3 turned = Mat3::Identity();
   const Mat3 step = turn(Vec3(2e-3, -1e-3, 3e-3));
   for (int i = 0; i < 1000000; ++i) {
     turned = step * turned;
     if (i % 1000 == 0) turned = Eigen::Quaterniond(turned).normalized().toRotationMatrix();
-    R = correct(turned * F, R).rotation;
+    tracked = correct(turned * F, tracked.turn);
   }
+  EXPECT_NEAR(tracked.turn.norm(), 1.0, 1e-11);
+  const Mat3 R = tracked.rotation();
   EXPECT_LT((R.transpose() * R - Mat3::Identity()).norm(), 1e-11);
   EXPECT_LT(angle_between(R, turned), 1e-7);
 }

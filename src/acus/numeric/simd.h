@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstring>
+#include <type_traits>
 
 namespace acus::numeric {
 
@@ -11,6 +12,7 @@ using Lane4 = double __attribute__((vector_size(32)));
 using Lane8 = double __attribute__((vector_size(64)));
 using Lane4f = float __attribute__((vector_size(16)));
 using Lane16f = float __attribute__((vector_size(64)));
+using Lane16 = double __attribute__((vector_size(128)));
 
 // For either precision: four numbers of one node, and one number of as many elements as fill 64 bytes.
 template <class Real>
@@ -31,6 +33,34 @@ template <class Real>
 using ElementLane = typename LanesOf<Real>::Elements;
 template <class Real>
 inline constexpr int lane_count = sizeof(ElementLane<Real>) / sizeof(Real);
+
+// In double, as many numbers as a vector has.
+template <class Lane>
+struct WideOf {
+  using type = Lane;
+};
+template <>
+struct WideOf<Lane4f> {
+  using type = Lane4;
+};
+template <>
+struct WideOf<Lane16f> {
+  using type = Lane16;
+};
+template <class Lane>
+using Wide = typename WideOf<Lane>::type;
+
+// What a vector is made of; a number alone will do, too.
+template <class Lane>
+struct NumberOf {
+  using type = std::remove_cvref_t<decltype(Lane{}[0])>;
+};
+template <>
+struct NumberOf<double> {
+  using type = double;
+};
+template <class Lane>
+using RealOf = typename NumberOf<Lane>::type;
 
 #define ACUS_INLINE inline __attribute__((always_inline))
 
@@ -74,22 +104,21 @@ ACUS_INLINE ElementLane<Real> load_lanes(const Real* p) {
   std::memcpy(&v, p, sizeof v);
   return v;
 }
-// Of eight numbers in however many vectors, in one order.
+template <class Lane>
+ACUS_INLINE Wide<Lane> widened(const Lane& v) {
+  return __builtin_convertvector(v, Wide<Lane>);
+}
+// Of eight or sixteen numbers in however many vectors, in one order.
 template <class Lane, int parts>
 ACUS_INLINE double sum(const Lane (&v)[parts]) {
-  static_assert(sizeof v == 8 * sizeof(double));
-  double n[8];
+  constexpr int count = parts * static_cast<int>(sizeof(Lane) / sizeof(v[0][0]));
+  static_assert(count == 8 || count == 16);
+  double n[count];
   std::memcpy(n, v, sizeof n);
-  return ((n[0] + n[4]) + (n[1] + n[5])) + ((n[2] + n[6]) + (n[3] + n[7]));
-}
-template <class Lane, int parts>
-ACUS_INLINE double least(const Lane (&v)[parts]) {
-  static_assert(sizeof v == 8 * sizeof(double));
-  double n[8];
-  std::memcpy(n, v, sizeof n);
-  double smallest = n[0];
-  for (int i = 1; i < 8; ++i) smallest = n[i] < smallest ? n[i] : smallest;
-  return smallest;
+  double total = 0.0;
+  for (int i = 0; i < count; i += 8)
+    total += ((n[i] + n[i + 4]) + (n[i + 1] + n[i + 5])) + ((n[i + 2] + n[i + 6]) + (n[i + 3] + n[i + 7]));
+  return total;
 }
 ACUS_INLINE double sum(Lane4 v) { return (v[0] + v[1]) + (v[2] + v[3]); }
 

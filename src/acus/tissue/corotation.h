@@ -13,26 +13,34 @@
 
 #include "acus/base/vec.h"
 #include "acus/numeric/node_vector.h"
-#include "acus/tissue/stresses.h"
 #include "acus/tissue/tissue_model.h"
 
 namespace acus::tissue {
 
-struct Corotation {
-  std::vector<double> rotated_gradient;  // [groups][9][lanes] 1/m: q_i = R g_i of corners 1 to 3
-  std::vector<float> single_gradient;    // [groups of 16][9][16], the same for what floats do
-  std::vector<double> dilation;          // [nodes] theta_a; stays empty for linear
-  numeric::NodeVector
-      elastic_force;    // [nodes] N, of the tissue on its nodes; sums of floats where the precision is single
-  double energy = 0.0;  // J, with that of the branches' springs
-  double relaxed = 0.0;    // J, spent by the branches' dashpots in the step that ends here
-  bool finite = true;      // false as soon as a position is not a number
-  int safe_rotations = 0;  // elements and fillers that needed the slow, safe rotation
+// Rotations and forces exactly, or in single precision: rounded to 1e-7 of the stresses.
+enum class ForcePrecision { exact, single };
 
-  // Working memory: the positions, and the stresses in the precision that was chosen.
-  numeric::NodeVector field;
-  StressesOf<double> exact;
-  StressesOf<float> single;
+// Where the elements are, in the precision that was chosen, and the working memory of its kernels.
+template <class Real>
+struct RotatedElements {
+  std::vector<Real> gradient;                // [groups][9] 1/m: q_i = R g_i of corners 1 to 3
+  std::vector<Real> turn;                    // [groups][4] R as a quaternion (tracked_rotation.h)
+  numeric::NodeVectorOf<Real> displacement;  // [nodes] m
+  numeric::NodeVectorOf<Real> pressure;      // [nodes] Pa, the fourth number; empty for linear
+  numeric::NodeVectorOf<Real> parts;  // [streams][nodes] N, what they ask of the nodes, zero in between
+};
+
+struct Corotation {
+  RotatedElements<double> exact;      // empty where the precision is single
+  RotatedElements<float> single;      // where it is not, no more of it than the gradients
+  std::vector<double> dilation;       // [nodes] theta_a; stays empty for linear
+  numeric::NodeVector elastic_force;  // [nodes] N, of the tissue on its nodes
+  double energy = 0.0;                // J, with that of the branches' springs
+  double relaxed = 0.0;               // J, spent by the branches' dashpots in the step that ends here
+  bool finite = true;                 // false as soon as a position is not a number
+  int safe_rotations = 0;             // elements and fillers that needed the slow, safe rotation
+
+  bool is_single() const { return exact.gradient.empty(); }
 };
 
 Corotation build_corotation(const TissueModel& model, ForcePrecision precision = ForcePrecision::exact);

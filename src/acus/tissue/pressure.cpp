@@ -33,11 +33,11 @@ ACUS_INLINE void add_pressures(Real* to, const TissueModel& m, Range elements,
 
 ACUS_KERNEL void press(double* to, const TissueModel& m, Range elements, const std::vector<double>& gradient,
                        const numeric::NodeVector& field) {
-  add_pressures(to, m, elements, gradient, m.quarter_volume, field);
+  add_pressures(to, m, elements, gradient, m.exact.quarter_volume, field);
 }
 ACUS_KERNEL void press(float* to, const TissueModel& m, Range elements, const std::vector<float>& gradient,
                        const numeric::NodeVectorOf<float>& field) {
-  add_pressures(to, m, elements, gradient, m.single_quarter_volume, field);
+  add_pressures(to, m, elements, gradient, m.single.quarter_volume, field);
 }
 
 }  // namespace acus::tissue

@@ -41,8 +41,8 @@ RelaxationStep relaxation_step(const Relaxation& relaxation, double h);
 // Six numbers of each element, xx yy zz xy xz yz. Both stay empty where nothing relaxes.
 inline constexpr int strain_numbers = 6;
 struct MaxwellBranch {
-  std::vector<double> spring;  // [groups][6][lanes] q
-  std::vector<double> strain;  // [groups][6][lanes] e, at the end of the last step
+  std::vector<double> spring;  // [batches of 16][6][16] q
+  std::vector<double> strain;  // [batches of 16][6][16] e, at the end of the last step
 };
 
 }  // namespace acus::tissue

@@ -12,7 +12,7 @@ Vec3 gradient_at(const TissueModel& m, int element, int corner) {
   for (int i = 0; i < 3; ++i) {
     if (corner != 0 && corner != i + 1) continue;
     const double sign = corner == 0 ? -1.0 : 1.0;
-    for (int c = 0; c < 3; ++c) g[c] += sign * m.gradient[lane_place(element, 3 * i + c, 9)];
+    for (int c = 0; c < 3; ++c) g[c] += sign * m.exact.gradient[place_of<double>(element, 3 * i + c, 9)];
   }
   return g;
 }
@@ -64,7 +64,7 @@ numeric::LowerBlocks rest_matrix(const TissueModel& m, double mass_factor, doubl
         auto known = std::find_if(neighbours[a].begin(), neighbours[a].end(),
                                   [&](const Neighbour& n) { return n.node == node; });
         if (known == neighbours[a].end()) known = neighbours[a].insert(known, {.node = node});
-        known->dilation += m.quarter_volume[at.element] * gradient_at(m, at.element, j);
+        known->dilation += m.exact.quarter_volume[at.element] * gradient_at(m, at.element, j);
       }
 
   numeric::LowerBlocks a;

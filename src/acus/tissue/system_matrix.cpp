@@ -51,8 +51,8 @@ struct Exactly {
   const Corotation& corotation;
   numeric::NodeVector& field = a.field;
   numeric::NodeVector& reaction = a.reaction;
-  const std::vector<double>& gradient = corotation.rotated_gradient;
-  const std::vector<double>& quarter_volume = m.quarter_volume;
+  const std::vector<double>& gradient = corotation.exact.gradient;
+  const std::vector<double>& quarter_volume = m.exact.quarter_volume;
   double mass(std::size_t n) const { return a.mass_factor * m.node_mass[n]; }
   double pressure_weight(std::size_t n) const {
     return a.stiffness_factor * m.node_bulk_modulus[n] / m.node_volume[n];
@@ -65,8 +65,8 @@ struct Singly {
   const Corotation& corotation;
   numeric::NodeVectorOf<float>& field = a.field_single;
   numeric::NodeVectorOf<float>& reaction = a.reaction_single;
-  const std::vector<float>& gradient = corotation.single_gradient;
-  const std::vector<float>& quarter_volume = m.single_quarter_volume;
+  const std::vector<float>& gradient = corotation.single.gradient;
+  const std::vector<float>& quarter_volume = m.single.quarter_volume;
   float mass(std::size_t n) const { return a.mass[n]; }
   float pressure_weight(std::size_t n) const { return a.pressure_weight[n]; }
 };
@@ -157,9 +157,9 @@ void set_factors(SystemMatrix& out, const TissueModel& model, double mass_factor
   out.mass_factor = mass_factor;
   out.stiffness_factor = stiffness_factor;
   for (std::size_t e = 0; e < model.corners.size(); ++e) {
-    float* to = &out.moduli[element_moduli * (e / batch_pairs * batch_pairs) + e % batch_pairs];
-    to[0] = static_cast<float>(stiffness_factor * model.step_shear[e] * model.volume[e]);
-    to[batch_pairs] = static_cast<float>(stiffness_factor * model.step_lambda[e] * model.volume[e]);
+    const double v = stiffness_factor * model.volume[e];
+    out.moduli[place_of<float>(e, 0, element_moduli)] = static_cast<float>(v * model.step_shear[e]);
+    out.moduli[place_of<float>(e, 1, element_moduli)] = static_cast<float>(v * model.step_lambda[e]);
   }
   for (int i = 0; i < model.free_nodes; ++i)
     out.mass[i] = static_cast<float>(mass_factor * model.node_mass[i]);

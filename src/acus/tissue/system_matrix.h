@@ -18,12 +18,11 @@ namespace acus::tissue {
 
 // A = mass_factor M + stiffness_factor K', over the free nodes. In double it is applied straight from the
 // rotated gradients; the inner iterations of a solve use their copy in single precision.
-inline constexpr int element_moduli = 2;  // V mu and V lambda with the factor
 struct SystemMatrix {
   double mass_factor = 1.0;
   double stiffness_factor = 0.0;
 
-  std::vector<float> moduli;           // [groups of 16][element_moduli][16] m^3 Pa
+  std::vector<float> moduli;           // [groups][element_moduli] J, as of ElementsAtRest, with the factor
   std::vector<float> mass;             // [free nodes] kg, with the factor
   std::vector<float> pressure_weight;  // [nodes] kappa_a / V_a with the factor; empty for linear
 
@@ -37,10 +36,10 @@ SystemMatrix build_system_matrix(const TissueModel& model);
 
 void set_factors(SystemMatrix& out, const TissueModel& model, double mass_factor, double stiffness_factor);
 
-// y = A x with the factors of `a` and K' at the configuration of `corotation`.
+// y = A x with the factors of `a` and K' at the configuration of `corotation`, whose precision must be exact.
 void multiply_into(numeric::NodeVector& y, const TissueModel& model, const Corotation& corotation,
                    const SystemMatrix& a, const numeric::NodeVector& x, const Team& team = one_thread);
-// The same in single precision.
+// The same in single precision, whatever that of `corotation`.
 void multiply_into(numeric::NodeVectorOf<float>& y, const TissueModel& model, const Corotation& corotation,
                    const SystemMatrix& a, const numeric::NodeVectorOf<float>& x,
                    const Team& team = one_thread);

@@ -13,12 +13,26 @@ Error element_error(int tet, const std::string& what) {
   return Error{"tetrahedron " + std::to_string(tet) + ": " + what};
 }
 
-void place_element(TissueModel& m, int e, const Shape& shape, const Material& material, double volume) {
+template <class Real>
+void resize(ElementsAtRest<Real>& all, std::size_t elements) {
+  all.gradient.assign(9 * elements, Real{});
+  all.moduli.assign(element_moduli * elements, Real{});
+  all.quarter_volume.assign(elements, Real{});
+}
+
+template <class Real>
+void put_at_rest(ElementsAtRest<Real>& all, const TissueModel& m, int e, const Shape& shape) {
   for (int i = 0; i < 3; ++i)
-    for (int c = 0; c < 3; ++c) m.gradient[lane_place(e, 3 * i + c, 9)] = shape.gradient[i + 1][c];
+    for (int c = 0; c < 3; ++c)
+      all.gradient[place_of<Real>(e, 3 * i + c, 9)] = static_cast<Real>(shape.gradient[i + 1][c]);
+  all.moduli[place_of<Real>(e, 0, element_moduli)] = static_cast<Real>(m.volume[e] * m.shear[e]);
+  all.moduli[place_of<Real>(e, 1, element_moduli)] = static_cast<Real>(m.volume[e] * m.local_lambda[e]);
+  all.quarter_volume[e] =
+      m.kind == ElementKind::nodal_pressure ? static_cast<Real>(0.25 * m.volume[e]) : Real{};
+}
+
+void place_element(TissueModel& m, int e, const Shape& shape, const Material& material, double volume) {
   m.volume[e] = volume;
-  m.quarter_volume[e] = m.kind == ElementKind::nodal_pressure ? 0.25 * volume : 0.0;
-  m.single_quarter_volume[e] = static_cast<float>(m.quarter_volume[e]);
   m.shear[e] = shear_modulus(material);
   // mu |dev e|^2 = mu |e|^2 - (mu / 3) (tr e)^2: with the bulk part at the nodes only this remains here.
   m.local_lambda[e] =
@@ -26,6 +40,8 @@ void place_element(TissueModel& m, int e, const Shape& shape, const Material& ma
   const double stiffening = m.relaxation.stiffening() * m.shear[e];
   m.step_shear[e] = m.shear[e] + stiffening;
   m.step_lambda[e] = m.local_lambda[e] - 2.0 / 3.0 * stiffening;
+  put_at_rest(m.exact, m, e, shape);
+  put_at_rest(m.single, m, e, shape);
 }
 
 }  // namespace
@@ -36,6 +52,7 @@ Result<TissueModel> build_tissue_model(const mesh::TetMesh& mesh, std::span<cons
   m.relaxation = relaxation;
   m.kind = kind;
   m.nodes = static_cast<int>(mesh.nodes.size());
+  m.rest = mesh.nodes;
   m.free_nodes = free_nodes;
   m.tets = static_cast<int>(mesh.tets.size());
   m.node_mass.assign(mesh.nodes.size(), 0.0);
@@ -64,10 +81,10 @@ Result<TissueModel> build_tissue_model(const mesh::TetMesh& mesh, std::span<cons
   m.element = std::move(pairing.element);
   m.corners = std::move(pairing.corners);
   const std::size_t elements = m.corners.size();
-  m.gradient.assign(9 * elements, 0.0);
   m.volume.assign(elements, 0.0);
-  m.shear = m.local_lambda = m.step_shear = m.step_lambda = m.quarter_volume = m.volume;
-  m.single_quarter_volume.assign(elements, 0.0F);
+  m.shear = m.local_lambda = m.step_shear = m.step_lambda = m.volume;
+  resize(m.exact, elements);
+  resize(m.single, elements);
   for (int e = 0; e < static_cast<int>(elements); ++e) {
     const mesh::Tet& t = m.corners[e];
     const int tet = pairing.tet[e];

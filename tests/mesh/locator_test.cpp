@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -84,6 +86,31 @@ TEST_F(LocatorInGradedBlock, finds_every_node_in_a_tetrahedron_that_has_it) {
     EXPECT_LT((interpolate(*found, mesh.nodes) - mesh.nodes[n]).norm(), 1e-15);
     EXPECT_EQ(locator.nearest_node(mesh.nodes[n]), static_cast<int>(n));
   }
+}
+
+// A node, an edge or a face belongs to several; which of them is found must not hang on the order in which
+// the tree has them. All numbers are exact here.
+TEST(LocatorInEqualBoxes, finds_the_lowest_of_all_that_share_a_point) {
+  const TetMesh mesh = build_block({4.0, 4.0, 4.0}, {4, 4, 4});
+  const Locator locator(mesh);
+  const int tets = static_cast<int>(mesh.tets.size());
+  const std::array<std::size_t, 3> node = {0, 0, 0}, edge = {1, 2, 2}, face = {0, 1, 3},
+                                   other_face = {3, 1, 2};
+  for (const Tet& tet : mesh.tets)
+    for (const auto& corners : {node, edge, face, other_face}) {
+      const std::array<int, 3> shared = {tet[corners[0]], tet[corners[1]], tet[corners[2]]};
+      const auto has_all = [&](const Tet& t) {
+        return std::all_of(shared.begin(), shared.end(),
+                           [&](int n) { return std::find(t.begin(), t.end(), n) != t.end(); });
+      };
+      const auto lowest = std::find_if(mesh.tets.begin(), mesh.tets.end(), has_all) - mesh.tets.begin();
+      const Embedding middle = {.nodes = {shared[0], shared[1], shared[2]}, .weights = {0.5, 0.25, 0.25}};
+      for (int first = -1; first < tets; first += 97) {
+        const auto found = locator.locate(interpolate(middle, mesh.nodes), 0.1, first);
+        ASSERT_TRUE(found);
+        ASSERT_EQ(found->tet, lowest);
+      }
+    }
 }
 
 TEST_F(LocatorInGradedBlock, forgives_rounding_at_the_surface_only) {

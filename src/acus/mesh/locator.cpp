@@ -103,7 +103,10 @@ void Locator::build(int box, int begin, int end, std::vector<Vec3>& centres) {
     spread.extend(centres[at(tet)]);
   }
   boxes_[at(box)] = {around, begin, end, -1};
-  if (end - begin <= leaf_size) return;
+  if (end - begin <= leaf_size) {  // each C++ library halves into an order of its own
+    std::sort(order_.begin() + begin, order_.begin() + end);
+    return;
+  }
   Eigen::Index axis = 0;
   spread.sizes().maxCoeff(&axis);
   const int middle = begin + (end - begin) / 2;
@@ -158,12 +161,13 @@ std::optional<Embedding> Locator::locate(const Vec3& point, double snap, int fir
 std::optional<Embedding> Locator::locate(const Vec3& point, double snap) const {
   if (!point.allFinite()) return std::nullopt;
   std::optional<Embedding> found;
+  bool at_the_edge = false;  // whether one will do that only touches the point or comes near
   const auto visit = [&](int tet, double reach_squared) {
     const Tet& t = tets_[at(tet)];
     const Corners corners = {nodes_[at(t[0])], nodes_[at(t[1])], nodes_[at(t[2])], nodes_[at(t[3])]};
     Weights weights = barycentric(point, corners);
     const bool inside = lies_inside(weights);
-    if (!inside && reach_squared == 0.0) return reach_squared;
+    if (!inside && !at_the_edge) return reach_squared;
     if (!inside) weights = nearest_in_tet(point, corners);
     const double d = inside ? 0.0 : (combine(weights, corners) - point).squaredNorm();
     if (d > reach_squared || (found && d == reach_squared && tet > found->tet)) return reach_squared;
@@ -171,7 +175,9 @@ std::optional<Embedding> Locator::locate(const Vec3& point, double snap) const {
     return d;
   };
   search(point, 0.0, visit);  // most points lie inside, where the search is short
-  if (!found) search(point, snap * snap, visit);
+  if (found) return found;
+  at_the_edge = true;
+  search(point, snap * snap, visit);
   return found;
 }
 

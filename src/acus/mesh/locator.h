@@ -25,8 +25,9 @@ class Locator {
   // Expects at least one tetrahedron, all of positive volume.
   explicit Locator(const TetMesh& mesh);
 
-  // The tetrahedron that holds `point`. A point outside the mesh, but no farther than `snap` [m], is moved to
-  // the nearest point of the surface; farther ones (and points that are not finite) have none.
+  // The tetrahedron that holds `point`; the lowest index among equals, as on a shared face. A point outside
+  // the mesh, but no farther than `snap` [m], is moved to the nearest point of the surface; farther ones (and
+  // points that are not finite) have none.
   std::optional<Embedding> locate(const Vec3& point, double snap) const;
   // As above with a snap of 1e-6 of the mesh's diagonal: forgives rounding and nothing else.
   std::optional<Embedding> locate(const Vec3& point) const { return locate(point, rounding_); }

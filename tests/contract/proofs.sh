@@ -51,6 +51,8 @@ notices includes 'add src/acus/base/a.h "#include <chrono>"' 'the engine knows n
 notices includes 'add src/acus/base/a.h "#include <format>"' 'libc++ 13 lacks'
 notices includes 'mkdir src/acus/stray; add src/acus/stray/a.h "#pragma once"' 'no place in the order'
 notices same_bits 'add src/acus/sim/s.cpp "double y = std::sin(x);"' 'src/acus/sim/s.cpp:7: takes its last bit'
+notices same_bits 'add src/acus/sim/s.cpp "std::unordered_map<int, int> m;"' 'src/acus/sim/s.cpp:7: takes an order'
+notices same_bits 'add src/acus/mesh/locator.cpp "auto h = std::hash<int>();"' 'src/acus/mesh/locator.cpp:1: takes an order'
 notices listed 'add src/acus/sim/forgotten.cpp "int x;"' 'src/acus/sim/forgotten.cpp: is not named'
 notices listed 'add src/acus/sim/forgotten.h "#pragma once"' 'src/acus/sim/forgotten.h: is included by no file'
 notices size 'seq 501 >src/acus/sim/long.h' 'long.h: 501 lines'

@@ -61,7 +61,7 @@ State initial_state(const Model& m) {
   if (m.rigid()) return s;
   s.position = m.mesh.nodes;
   s.velocity.assign(static_cast<std::size_t>(m.tissue.free_nodes) * numeric::node_stride, 0.0);
-  s.velocity_change = s.velocity;
+  s.velocity_change = s.velocity_bend = s.velocity;
   s.branch = tissue::build_branch(m.tissue);
   s.influence.assign(s.velocity.size(), 0.0F);
   s.tip = m.entry;

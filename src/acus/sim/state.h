@@ -37,9 +37,11 @@ struct State {
   long steps = 0;                // taken so far; time is this many time steps, without a sum's rounding
   std::vector<Vec3> position;    // m, [nodes]; advance
   numeric::NodeVector velocity;  // m/s, [free nodes]; begin_tissue and the solves
-  double persistence = 0.0;  // share of a change of the velocity that comes again in the next step; advance
-  numeric::NodeVector velocity_change;  // m/s, over the last step; advance
-  tissue::MaxwellBranch branch;         // of tissue that relaxes; corotate_into
+  // Where the velocity may go next: its change over the last step and the change of that, m/s, and the shares
+  // of both that came again in the steps before; advance
+  numeric::NodeVector velocity_change, velocity_bend;
+  double change_persists = 1.0, bend_persists = 0.0;
+  tissue::MaxwellBranch branch;  // of tissue that relaxes; corotate_into
   // m/s of the tissue per m/s of the needle, [free nodes], roughly; solve_coupled
   numeric::NodeVectorOf<float> influence;
 

@@ -18,12 +18,28 @@ void multiply_as_exactly(numeric::NodeVector& y, const Model& m, Scratch& w, con
   numeric::scale_into(y, 1.0, product, w.team);
 }
 
+double persistence_of(double before, const numeric::NodeVector& now, const numeric::NodeVector& last,
+                      const Team& team) {
+  return persistence_after(before, numeric::dot(now, last, team), numeric::dot(last, last, team));
+}
+
 void note_change(State& s, Scratch& w) {
   numeric::NodeVector& change = w.velocity_before;
   numeric::scale_and_add_into(change, -1.0, s.velocity, w.team);
-  s.persistence = persistence_after(s.persistence, numeric::dot(change, s.velocity_change, w.team),
-                                    numeric::dot(s.velocity_change, s.velocity_change, w.team));
-  std::swap(s.velocity_change, w.velocity_before);
+  s.change_persists = persistence_of(s.change_persists, change, s.velocity_change, w.team);
+  numeric::NodeVector& bend = s.velocity_change;
+  numeric::scale_and_add_into(bend, -1.0, change, w.team);
+  s.bend_persists = persistence_of(s.bend_persists, bend, s.velocity_bend, w.team);
+  std::swap(s.velocity_bend, bend);
+  std::swap(s.velocity_change, change);
+}
+
+// On along a line and, where more than half of the bend came again, along a parabola: what solves leave over
+// is in a bend twice as much as in a change.
+void go_on(State& s, const Scratch& w) {
+  numeric::add_scaled_into(s.velocity, s.change_persists, s.velocity_change, w.team);
+  const double bend = s.change_persists * std::max(2.0 * s.bend_persists - 1.0, 0.0);
+  if (bend > 0.0) numeric::add_scaled_into(s.velocity, bend, s.velocity_bend, w.team);
 }
 
 }  // namespace
@@ -36,7 +52,7 @@ bool single_precision_will_do(const Scene& scene) {
 }
 
 double persistence_after(double before, double again, double all) {
-  constexpr double memory = 10.0;  // steps
+  constexpr double memory = 3.0;  // steps
   const double now = all > 0.0 ? std::clamp(again / all, 0.0, 1.0) : 0.0;
   return before + (now - before) / memory;
 }
@@ -48,7 +64,7 @@ void form_momentum(const Model& m, const State& s, Scratch& w) {
 
 void begin_tissue(const Model& m, State& s, Scratch& w) {
   numeric::copy_into(w.velocity_before, s.velocity, w.team);
-  numeric::add_scaled_into(s.velocity, s.persistence, s.velocity_change, w.team);
+  go_on(s, w);
   multiply_as_exactly(w.imbalance, m, w, s.velocity);
   numeric::scale_and_add_into(w.imbalance, -1.0, w.momentum, w.team);
 }

@@ -24,7 +24,7 @@ bool single_precision_will_do(const Scene& scene);
 // The momentum at the present positions, without the needle.
 void form_momentum(const Model& model, const State& state, Scratch& scratch);
 
-// The share of a change that a velocity goes on by in the next step: as much as came again in the last ones,
+// The share of a change that may be expected again in the next step: as much as came again in the last ones,
 // `again` the product of the last change with the one before and `all` that one's square. A smooth motion
 // goes on all the way; what solves leave over does not come again, and would be doubled by going on.
 double persistence_after(double before, double again, double all);

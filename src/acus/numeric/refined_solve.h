@@ -26,15 +26,15 @@ struct RefinedScratch {
 // Improves x until the norm of its residual b - A x is at most `target` or after `max_iterations` in all;
 // `residual` is that of the start value, and in the end that of x. multiply(y, p) writes y = A p and takes
 // vectors of double and of float; precondition(z, r) is as in `improve_into`, in float. What a round leaves
-// is computed or, with `trust_recursion`, follows by recursion, with an error of 1e-7 of what the round began
-// with and some more: nothing is multiplied in double then.
+// is computed or, with `trust_recursion` and within a factor of `trusted_fall`, follows by recursion, with an
+// error of 1e-7 of what the round began with and some more.
 template <class Multiply, class Precondition>
 SolveOutcome improve_refined_into(NodeVector& x, NodeVector& residual, double target, int max_iterations,
                                   bool trust_recursion, RefinedScratch& s, const Multiply& multiply,
                                   const Precondition& precondition, const Team& team = one_thread) {
-  // Of the residual in one round: beyond it floats drown in rounding, or it leaves the margin unseen.
-  const double largest_fall = trust_recursion ? 1e-3 : 1e-5;
-  constexpr double margin = 0.95;  // for the rounding of a round
+  constexpr double largest_fall = 1e-5;  // of the residual in one round: beyond it floats drown in rounding
+  constexpr double trusted_fall = 1e-3;  // down to here rounding stays within the margin: no check
+  constexpr double margin = 0.95;        // for the rounding of a round
   SolveOutcome outcome;
   while (true) {
     const double norm = std::sqrt(dot(residual, residual, team));
@@ -51,7 +51,7 @@ SolveOutcome improve_refined_into(NodeVector& x, NodeVector& residual, double ta
     outcome.iterations += round.iterations;
     outcome.broke_down = round.broke_down && round.residual_norm > fall;
     add_scaled_into(x, norm, s.correction, team);
-    if (trust_recursion) {
+    if (trust_recursion && fall >= trusted_fall) {
       scale_into(residual, norm, s.single.residual, team);
     } else {
       scale_into(s.step, norm, s.correction, team);

@@ -33,10 +33,10 @@ void add_sticks(numeric::NodeVectorOf<Real>& y, const Model& m, const Scratch& w
 // y = A x, sticking points included, in the precision of the vectors.
 struct Product {
   const Model& m;
-  const Scratch& w;
+  Scratch& w;
   template <class Real>
   void operator()(numeric::NodeVectorOf<Real>& y, const numeric::NodeVectorOf<Real>& x) const {
-    tissue::multiply_into(y, m.tissue, w.corotation, w.matrix, x, w.team);
+    multiply_tissue(y, m, w, x);
     add_sticks(y, m, w, x);
   }
 };

@@ -137,7 +137,7 @@ struct Product {
   Scratch& w;
   template <class Real>
   void operator()(numeric::NodeVectorOf<Real>& y, const numeric::NodeVectorOf<Real>& x) const {
-    tissue::multiply_into(y, m.tissue, w.corotation, w.matrix, x, w.team);
+    multiply_tissue(y, m, w, x);
     add_rod(y, x, 1.0);
   }
   template <class Real>

@@ -8,16 +8,6 @@ namespace acus {
 
 namespace {
 
-// y = A x as exactly as the scene's tolerance asks for.
-void multiply_as_exactly(numeric::NodeVector& y, const Model& m, Scratch& w, const numeric::NodeVector& x) {
-  if (!single_precision_will_do(m.scene))
-    return tissue::multiply_into(y, m.tissue, w.corotation, w.matrix, x, w.team);
-  numeric::NodeVectorOf<float>&single = w.solver.single.direction, &product = w.solver.single.product;
-  numeric::scale_into(single, 1.0, x, w.team);
-  tissue::multiply_into(product, m.tissue, w.corotation, w.matrix, single, w.team);
-  numeric::scale_into(y, 1.0, product, w.team);
-}
-
 double persistence_of(double before, const numeric::NodeVector& now, const numeric::NodeVector& last,
                       const Team& team) {
   return persistence_after(before, numeric::dot(now, last, team), numeric::dot(last, last, team));
@@ -51,6 +41,20 @@ bool single_precision_will_do(const Scene& scene) {
   return scene.run.solver_tolerance >= least_tolerance && scene.run.solver_precision == Precision::single_;
 }
 
+void multiply_tissue(numeric::NodeVectorOf<float>& y, const Model& m, Scratch& w,
+                     const numeric::NodeVectorOf<float>& x) {
+  tissue::multiply_into(y, m.tissue, w.corotation, w.matrix, x, w.team);
+}
+
+void multiply_tissue(numeric::NodeVector& y, const Model& m, Scratch& w, const numeric::NodeVector& x) {
+  if (!single_precision_will_do(m.scene))
+    return tissue::multiply_into(y, m.tissue, w.corotation, w.matrix, x, w.team);
+  numeric::NodeVectorOf<float>&single = w.solver.single.direction, &product = w.solver.single.product;
+  numeric::scale_into(single, 1.0, x, w.team);
+  multiply_tissue(product, m, w, single);
+  numeric::scale_into(y, 1.0, product, w.team);
+}
+
 double persistence_after(double before, double again, double all) {
   constexpr double memory = 3.0;  // steps
   const double now = all > 0.0 ? std::clamp(again / all, 0.0, 1.0) : 0.0;
@@ -65,7 +69,7 @@ void form_momentum(const Model& m, const State& s, Scratch& w) {
 void begin_tissue(const Model& m, State& s, Scratch& w) {
   numeric::copy_into(w.velocity_before, s.velocity, w.team);
   go_on(s, w);
-  multiply_as_exactly(w.imbalance, m, w, s.velocity);
+  multiply_tissue(w.imbalance, m, w, s.velocity);
   numeric::scale_and_add_into(w.imbalance, -1.0, w.momentum, w.team);
 }
 

@@ -21,6 +21,13 @@ struct TissueBefore {
 // and of the stresses is a ten millionth of the load, and the scene's tolerance is more.
 bool single_precision_will_do(const Scene& scene);
 
+// y = A x with the tissue's own matrix: of doubles as exactly as that allows, with working memory of the
+// solver's inner iterations; of floats singly.
+void multiply_tissue(numeric::NodeVector& y, const Model& model, Scratch& scratch,
+                     const numeric::NodeVector& x);
+void multiply_tissue(numeric::NodeVectorOf<float>& y, const Model& model, Scratch& scratch,
+                     const numeric::NodeVectorOf<float>& x);
+
 // The momentum at the present positions, without the needle.
 void form_momentum(const Model& model, const State& state, Scratch& scratch);
 

@@ -5,6 +5,7 @@
 
 #include "acus/base/hash.h"
 #include "acus/io/scene_toml.h"
+#include "acus/numeric/simd.h"
 #include "insertion.h"
 
 using namespace acus;
@@ -33,6 +34,15 @@ Scene scene(const std::string& name) {
 TEST(SameBits, run_after_run) {
   for (const auto& [name, hash] : recorded())
     EXPECT_EQ(insert(scene(name)).hash, insert(scene(name)).hash) << name;
+}
+
+TEST(SameBits, by_registers_of_any_width) {
+  int& bytes = numeric::kernels::register_bytes;
+  const int widest = bytes;
+  for (bytes = 16; bytes <= widest; bytes *= 2)
+    for (const auto& [name, hash] : recorded())
+      EXPECT_EQ(hex(insert(scene(name)).hash), hash) << name << " by " << bytes << " bytes";
+  bytes = widest;
 }
 #endif
 

@@ -95,13 +95,22 @@ ACUS_KERNEL void add_interpolated(NodeVectorOf<float>& z, const CoarseSpace& spa
 }
 
 // One strip of the product of the inverse and the load.
-ACUS_KERNEL void correct_strip(CoarseScratch& s, const CoarseSpace& space, int number) {
-  constexpr int lanes = strip / lane_count<float>;
-  const float* row = space.inverse.data() + static_cast<std::size_t>(number) * strip * space.size;
-  Lane16f sum[lanes] = {};
-  for (int i = 0; i < space.size; ++i, row += strip)
-    for (int l = 0; l < lanes; ++l) sum[l] += s.load[i] * load_lanes(row + lane_count<float> * l);
-  std::memcpy(&s.correction[static_cast<std::size_t>(number) * strip], sum, sizeof sum);
+template <class Lane>
+ACUS_INLINE void add_columns(float* correction, const float* row, std::span<const float> load) {
+  constexpr int in_lane = sizeof(Lane) / sizeof(float), lanes = strip / in_lane;
+  Lane sum[lanes] = {};
+  for (const float by : load) {
+    ACUS_UNROLL
+    for (int l = 0; l < lanes; ++l) sum[l] += by * load_lanes<Lane>(row + in_lane * l);
+    row += strip;
+  }
+  std::memcpy(correction, sum, sizeof sum);
+}
+void correct_strip(CoarseScratch& s, const CoarseSpace& space, int number) {
+  const std::size_t first = static_cast<std::size_t>(number) * strip;
+  run_kernel([&](auto bytes) ACUS_INLINED {
+    add_columns<LaneOf<float, bytes>>(&s.correction[first], &space.inverse[first * space.size], s.load);
+  });
 }
 
 // Gauss and Jordan's inverse in place of a symmetric positive definite matrix of n rows.

@@ -9,32 +9,37 @@
 namespace acus::numeric {
 namespace {
 
-using Lane8f = float __attribute__((vector_size(32)));
-
-// Eight numbers as doubles.
-ACUS_INLINE Lane8 load_wide(const double* p) { return load_lanes(p); }
-ACUS_INLINE Lane8 load_wide(const float* p) {
-  Lane8f v;
-  std::memcpy(&v, p, sizeof v);
-  return __builtin_convertvector(v, Lane8);
+// As many numbers as fill a vector of doubles, as doubles.
+template <class Lane>
+ACUS_INLINE Lane load_wide(const double* p) {
+  return load_lanes<Lane>(p);
+}
+template <class Lane>
+ACUS_INLINE Lane load_wide(const float* p) {
+  return __builtin_convertvector(load_lanes<LaneOf<float, sizeof(Lane) / 2>>(p), Lane);
 }
 
-// Four sums run side by side, so that an addition need not wait for the one before; the last few numbers come
-// one by one.
-template <class Real>
+// Eight at a time, and four such sums side by side, so that an addition need not wait for the one before; the
+// last few numbers come one by one.
+template <class Lane, class Real>
 ACUS_INLINE double sum_of_products(std::span<const Real> a, std::span<const Real> b) {
   assert(a.size() == b.size());
   const Real* pa = a.data();
   const Real* pb = b.data();
-  constexpr std::size_t width = 8, unrolled = 4;
-  Lane8 sums[unrolled] = {};
+  constexpr std::size_t width = 8, unrolled = 4, lane = sizeof(Lane) / sizeof(double), parts = width / lane;
+  Lane sums[unrolled][parts] = {};
   std::size_t i = 0;
-  for (; i + width * unrolled <= a.size(); i += width * unrolled)
-    for (std::size_t k = 0; k < unrolled; ++k)
-      sums[k] += load_wide(pa + i + width * k) * load_wide(pb + i + width * k);
+  for (; i + width * unrolled <= a.size(); i += width * unrolled) {
+    ACUS_UNROLL
+    for (std::size_t k = 0; k < unrolled; ++k) ACUS_UNROLL
+    for (std::size_t p = 0; p < parts; ++p)
+      sums[k][p] +=
+          load_wide<Lane>(pa + i + width * k + lane * p) * load_wide<Lane>(pb + i + width * k + lane * p);
+  }
   double rest = 0.0;
   for (; i < a.size(); ++i) rest += static_cast<double>(pa[i]) * static_cast<double>(pb[i]);
-  const Lane8 all[1] = {(sums[0] + sums[1]) + (sums[2] + sums[3])};
+  Lane all[parts];
+  for (std::size_t p = 0; p < parts; ++p) all[p] = (sums[0][p] + sums[1][p]) + (sums[2][p] + sums[3][p]);
   return sum(all) + rest;
 }
 
@@ -54,28 +59,32 @@ ACUS_INLINE void scale_and_add(std::span<Real> y, double factor, std::span<const
   for (std::size_t i = 0; i < y.size(); ++i) py[i] = px[i] + f * py[i];
 }
 
-template <class Real>
+template <class Lane, class Real>
 ACUS_INLINE double advance_both(std::span<Real> x, std::span<Real> residual, double step,
                                 std::span<const Real> direction, std::span<const Real> product) {
   add_scaled(x, step, direction);
   add_scaled(residual, -step, product);
-  return sum_of_products(std::span<const Real>(residual), std::span<const Real>(residual));
+  return sum_of_products<Lane>(std::span<const Real>(residual), std::span<const Real>(residual));
 }
 
-template <class Real>
+template <class Lane, class Real>
 ACUS_INLINE double approach_both(std::span<Real> x, std::span<Real> residual, double share,
                                  std::span<const Real> other, std::span<const Real> other_residual) {
   const Real f = static_cast<Real>(share);
   for (std::size_t i = 0; i < x.size(); ++i) x[i] += f * (other[i] - x[i]);
   for (std::size_t i = 0; i < x.size(); ++i) residual[i] += f * (other_residual[i] - residual[i]);
-  return sum_of_products(std::span<const Real>(residual), std::span<const Real>(residual));
+  return sum_of_products<Lane>(std::span<const Real>(residual), std::span<const Real>(residual));
 }
 
 // Compiled clone by clone: what is handed to a team is not.
 namespace piece {
 
-ACUS_KERNEL double dot(std::span<const double> a, std::span<const double> b) { return sum_of_products(a, b); }
-ACUS_KERNEL double dot(std::span<const float> a, std::span<const float> b) { return sum_of_products(a, b); }
+template <class Real>
+double dot(std::span<const Real> a, std::span<const Real> b) {
+  double sum = 0.0;
+  run_kernel([&](auto bytes) ACUS_INLINED { sum = sum_of_products<LaneOf<double, bytes>>(a, b); });
+  return sum;
+}
 
 ACUS_KERNEL void add_scaled_into(std::span<double> y, double factor, std::span<const double> x) {
   add_scaled(y, factor, x);
@@ -117,22 +126,23 @@ ACUS_KERNEL void multiply_blocks_into(std::span<float> y, std::span<const float>
   }
 }
 
-ACUS_KERNEL double advance_into(std::span<double> x, std::span<double> residual, double step,
-                                std::span<const double> direction, std::span<const double> product) {
-  return advance_both(x, residual, step, direction, product);
+template <class Real>
+double advance_into(std::span<Real> x, std::span<Real> residual, double step, std::span<const Real> direction,
+                    std::span<const Real> product) {
+  double sum = 0.0;
+  run_kernel([&](auto bytes) ACUS_INLINED {
+    sum = advance_both<LaneOf<double, bytes>>(x, residual, step, direction, product);
+  });
+  return sum;
 }
-ACUS_KERNEL double advance_into(std::span<float> x, std::span<float> residual, double step,
-                                std::span<const float> direction, std::span<const float> product) {
-  return advance_both(x, residual, step, direction, product);
-}
-
-ACUS_KERNEL double approach_into(std::span<double> x, std::span<double> residual, double share,
-                                 std::span<const double> other, std::span<const double> other_residual) {
-  return approach_both(x, residual, share, other, other_residual);
-}
-ACUS_KERNEL double approach_into(std::span<float> x, std::span<float> residual, double share,
-                                 std::span<const float> other, std::span<const float> other_residual) {
-  return approach_both(x, residual, share, other, other_residual);
+template <class Real>
+double approach_into(std::span<Real> x, std::span<Real> residual, double share, std::span<const Real> other,
+                     std::span<const Real> other_residual) {
+  double sum = 0.0;
+  run_kernel([&](auto bytes) ACUS_INLINED {
+    sum = approach_both<LaneOf<double, bytes>>(x, residual, share, other, other_residual);
+  });
+  return sum;
 }
 
 }  // namespace piece

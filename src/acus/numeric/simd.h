@@ -10,29 +10,52 @@ namespace acus::numeric {
 using Lane2 = double __attribute__((vector_size(16)));
 using Lane4 = double __attribute__((vector_size(32)));
 using Lane8 = double __attribute__((vector_size(64)));
+using Lane2f = float __attribute__((vector_size(8)));
 using Lane4f = float __attribute__((vector_size(16)));
+using Lane8f = float __attribute__((vector_size(32)));
 using Lane16f = float __attribute__((vector_size(64)));
 using Lane16 = double __attribute__((vector_size(128)));
 
-// For either precision: four numbers of one node, and one number of as many elements as fill 64 bytes.
-template <class Real>
-struct LanesOf;
+// Numbers that fill so many bytes.
+template <class Real, int bytes>
+struct VectorOf;
 template <>
-struct LanesOf<double> {
-  using Node = Lane4;
-  using Elements = Lane8;
+struct VectorOf<double, 16> {
+  using type = Lane2;
 };
 template <>
-struct LanesOf<float> {
-  using Node = Lane4f;
-  using Elements = Lane16f;
+struct VectorOf<double, 32> {
+  using type = Lane4;
 };
+template <>
+struct VectorOf<double, 64> {
+  using type = Lane8;
+};
+template <>
+struct VectorOf<float, 8> {
+  using type = Lane2f;
+};
+template <>
+struct VectorOf<float, 16> {
+  using type = Lane4f;
+};
+template <>
+struct VectorOf<float, 32> {
+  using type = Lane8f;
+};
+template <>
+struct VectorOf<float, 64> {
+  using type = Lane16f;
+};
+template <class Real, int bytes>
+using LaneOf = typename VectorOf<Real, bytes>::type;
+// Four numbers of one node.
 template <class Real>
-using NodeLane = typename LanesOf<Real>::Node;
+using NodeLane = LaneOf<Real, 4 * sizeof(Real)>;
+
+// Numbers are laid out and added up by so many, whatever the width of a machine's registers: the same bits.
 template <class Real>
-using ElementLane = typename LanesOf<Real>::Elements;
-template <class Real>
-inline constexpr int lane_count = sizeof(ElementLane<Real>) / sizeof(Real);
+inline constexpr int lane_count = 64 / sizeof(Real);
 
 // In double, as many numbers as a vector has.
 template <class Lane>
@@ -42,6 +65,10 @@ struct WideOf {
 template <>
 struct WideOf<Lane4f> {
   using type = Lane4;
+};
+template <>
+struct WideOf<Lane8f> {
+  using type = Lane8;
 };
 template <>
 struct WideOf<Lane16f> {
@@ -74,15 +101,58 @@ using RealOf = typename NumberOf<Lane>::type;
 #define ACUS_UNROLL _Pragma("GCC unroll 16")
 #endif
 
-// Compiles a kernel for several instruction sets and picks one when the program starts. Fused multiply-add is
-// never used (-ffp-contract=off), so all give the same bits. Sanitizers do not go together with the
-// resolvers, and clang 14 will not pass vectors to an inlined function from a clone.
+// Kernels are compiled for several instruction sets, one of which is picked when the program starts. Fused
+// multiply-add is never used (-ffp-contract=off), so all give the same bits. Sanitizers do not go together
+// with the resolvers, and clang 14 will not pass vectors to an inlined function from a clone.
 #if defined(__x86_64__) && defined(__linux__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
-    !defined(__SANITIZE_THREAD__)
+    !defined(__SANITIZE_THREAD__) && !defined(ACUS_PLAIN_KERNELS)
+// Before a function of plain loops, which the compiler turns into vectors.
 #define ACUS_KERNEL __attribute__((target_clones("avx512f", "avx2", "default")))
+
+namespace kernels {
+inline int widest_registers() {
+  __builtin_cpu_init();
+  return __builtin_cpu_supports("avx512f") ? 64 : __builtin_cpu_supports("avx2") ? 32 : 16;
+}
+inline int register_bytes = widest_registers();  // a test may ask for less than this machine has
+template <class Kernel>
+__attribute__((target("avx512f"), noinline)) void run_by_64(const Kernel& kernel) {
+  kernel(std::integral_constant<int, 64>{});
+}
+template <class Kernel>
+__attribute__((target("avx2"), noinline)) void run_by_32(const Kernel& kernel) {
+  kernel(std::integral_constant<int, 32>{});
+}
+template <class Kernel>
+__attribute__((noinline)) void run_by_16(const Kernel& kernel) {
+  kernel(std::integral_constant<int, 16>{});
+}
+}  // namespace kernels
+
+// Calls kernel(bytes) with the width of this machine's registers: for kernels written with vectors, which
+// wider ones than it has would send through memory. The kernel and all it calls are ACUS_INLINE.
+template <class Kernel>
+void run_kernel(const Kernel& kernel) {
+  switch (kernels::register_bytes) {
+    case 64:
+      return kernels::run_by_64(kernel);
+    case 32:
+      return kernels::run_by_32(kernel);
+    default:
+      return kernels::run_by_16(kernel);
+  }
+}
 #else
 #define ACUS_KERNEL
+namespace kernels {
+inline int register_bytes = 16;
+}
+template <class Kernel>
+void run_kernel(const Kernel& kernel) {
+  kernel(std::integral_constant<int, 16>{});
+}
 #endif
+#define ACUS_INLINED __attribute__((always_inline))  // of a lambda
 
 template <class Real>
 ACUS_INLINE NodeLane<Real> load4(const Real* p) {
@@ -98,11 +168,12 @@ ACUS_INLINE Lane4 load3(const double* p) {
 }
 ACUS_INLINE void store4(double* p, Lane4 v) { std::memcpy(p, &v, sizeof v); }
 ACUS_INLINE void store4(float* p, Lane4f v) { std::memcpy(p, &v, sizeof v); }
-template <class Real>
-ACUS_INLINE ElementLane<Real> load_lanes(const Real* p) {
-  ElementLane<Real> v;
-  std::memcpy(&v, p, sizeof v);
-  return v;
+template <class Lane, class Real>
+ACUS_INLINE Lane load_lanes(const Real* p) {
+  static_assert(std::is_same_v<RealOf<Lane>, Real>);
+  Lane lane;
+  std::memcpy(&lane, p, sizeof lane);
+  return lane;
 }
 template <class Lane>
 ACUS_INLINE Wide<Lane> widened(const Lane& v) {

@@ -24,12 +24,12 @@ ACUS_INLINE void relax(numeric::Wide<Lane>& energy, numeric::Wide<Lane>& relaxed
              lead = static_cast<Real>(r.lead), spent_share = static_cast<Real>(r.spent),
              rest = static_cast<Real>(r.rest);
   const Lane modulus = static_cast<Real>(r.modulus) * two_mu_v;
-  const auto narrowed = [](const double* from) __attribute__((always_inline)) {
+  const auto narrowed = [](const double* from) ACUS_INLINED {
     numeric::Wide<Lane> wide;
     std::memcpy(&wide, from, sizeof wide);
     return __builtin_convertvector(wide, Lane);
   };
-  const auto keep = [](double* to, const Lane& v) __attribute__((always_inline)) {
+  const auto keep = [](double* to, const Lane& v) ACUS_INLINED {
     const numeric::Wide<Lane> wide = numeric::widened(v);
     std::memcpy(to, &wide, sizeof wide);
   };

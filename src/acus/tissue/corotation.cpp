@@ -132,8 +132,9 @@ ACUS_INLINE void store_numbers(RealOf<Lane>* to, const Lane* from, int numbers) 
   for (int k = 0; k < numbers; ++k)
     std::memcpy(to + k * numeric::lane_count<RealOf<Lane>>, &from[k], sizeof from[k]);
 }
-ACUS_INLINE void store_rounded(float* to, const ExactLane* from, int numbers) {
-  using Rounded = float __attribute__((vector_size(sizeof(ExactLane) / 2)));
+template <class Lane>
+ACUS_INLINE void store_rounded(float* to, const Lane* from, int numbers) {
+  using Rounded = numeric::LaneOf<float, sizeof(Lane) / 2>;
   for (int k = 0; k < numbers; ++k) {
     const auto rounded = __builtin_convertvector(from[k], Rounded);
     std::memcpy(to + k * numeric::lane_count<float>, &rounded, sizeof rounded);
@@ -142,17 +143,15 @@ ACUS_INLINE void store_rounded(float* to, const ExactLane* from, int numbers) {
 
 // Takes the elements to the displacements in `at` and adds their forces, with their shares of the dilations
 // as fourth numbers. `branch` is a MaxwellBranch, or nothing.
-template <class Real, class... Branch>
+template <class Lane, class Real, class... Branch>
 ACUS_INLINE Sums each_element(Real* to, Range elements, Corotation& out, RotatedElements<Real>& at,
                               const ElementsAtRest<Real>& rest, const There& there, Branch&... branch) {
-  using Lane = typename KernelLane<Real>::type;
-  const ElementNumbers<Real> gradients(rest.gradient, 9), moduli(rest.moduli, element_moduli),
+  const ElementNumbers<Lane> gradients(rest.gradient, 9), moduli(rest.moduli, element_moduli),
       quarters(rest.quarter_volume, 1), turns(at.turn, turn_numbers);
   const TissueModel& m = there.model;
   LaneSums<Lane> sums;
-  add_pairs(
-      to, m, elements,
-      [&](std::size_t pair, int part, const Offsets* offsets, Lane(*node)[4]) __attribute__((always_inline)) {
+  add_pairs<Lane>(
+      to, m, elements, [&](std::size_t pair, int part, const Offsets* offsets, Lane(*node)[4]) ACUS_INLINED {
         Lane pair_edge[12];
         gather_edges(pair_edge, at.displacement.data(), offsets);
         ACUS_UNROLL
@@ -183,20 +182,14 @@ ACUS_INLINE Sums each_element(Real* to, Range elements, Corotation& out, Rotated
   return {numeric::sum(sums.energy), numeric::sum(sums.relaxed), sums.safe_rotations};
 }
 
-// Clone by clone: what is handed to a team is not.
-ACUS_KERNEL Sums take_elements(double* to, Range elements, Corotation& out, const There& there) {
-  return each_element(to, elements, out, out.exact, there.model.exact, there);
-}
-ACUS_KERNEL Sums take_elements(float* to, Range elements, Corotation& out, const There& there) {
-  return each_element(to, elements, out, out.single, there.model.single, there);
-}
-ACUS_KERNEL Sums take_elements(double* to, Range elements, Corotation& out, const There& there,
-                               MaxwellBranch& branch) {
-  return each_element(to, elements, out, out.exact, there.model.exact, there, branch);
-}
-ACUS_KERNEL Sums take_elements(float* to, Range elements, Corotation& out, const There& there,
-                               MaxwellBranch& branch) {
-  return each_element(to, elements, out, out.single, there.model.single, there, branch);
+template <class Real, class... Branch>
+Sums take_elements(Real* to, Range elements, Corotation& out, RotatedElements<Real>& at,
+                   const ElementsAtRest<Real>& rest, const There& there, Branch&... branch) {
+  Sums sums;
+  numeric::run_kernel([&](auto bytes) ACUS_INLINED {
+    sums = each_element<numeric::LaneOf<Real, bytes>>(to, elements, out, at, rest, there, branch...);
+  });
+  return sums;
 }
 
 // Mean dilations and their pressures from the sums beside the forces, which are cleared. Returns `energy`
@@ -217,8 +210,8 @@ double dilate(Real* sum, Range nodes, Corotation& out, RotatedElements<Real>& at
 
 // `branch` is a MaxwellBranch, or nothing.
 template <class Real, class... Branch>
-void evaluate(Corotation& out, RotatedElements<Real>& at, const TissueModel& m,
-              std::span<const Vec3> positions, const Team& team, Branch&... branch) {
+void evaluate(Corotation& out, RotatedElements<Real>& at, const ElementsAtRest<Real>& rest,
+              const TissueModel& m, std::span<const Vec3> positions, const Team& team, Branch&... branch) {
   numeric::each_piece(at.displacement.size(), team, [&](Range r) {
     for (std::size_t i = r.first; i < r.last; i += node_stride) {
       const Vec3 u = positions[i / node_stride] - m.rest[i / node_stride];
@@ -227,7 +220,7 @@ void evaluate(Corotation& out, RotatedElements<Real>& at, const TissueModel& m,
   });
   std::array<Sums, most_streams> sums;
   m.streams.add(at.parts, team, [&](Real* to, Range elements, int stream) {
-    sums[stream] = take_elements(to, elements, out, {m, positions}, branch...);
+    sums[stream] = take_elements(to, elements, out, at, rest, {m, positions}, branch...);
   });
   out.energy = out.relaxed = 0.0;
   out.safe_rotations = 0;
@@ -259,9 +252,9 @@ template <class... Branch>
 void evaluate(Corotation& out, const TissueModel& m, std::span<const Vec3> positions, const Team& team,
               Branch&... branch) {
   if (out.is_single())
-    evaluate(out, out.single, m, positions, team, branch...);
+    evaluate(out, out.single, m.single, m, positions, team, branch...);
   else
-    evaluate(out, out.exact, m, positions, team, branch...);
+    evaluate(out, out.exact, m.exact, m, positions, team, branch...);
 }
 
 template <class Real>

@@ -9,7 +9,6 @@ namespace acus::tissue {
 
 static_assert(batch_pairs == numeric::lane_count<float>);
 
-using numeric::ElementLane;
 using numeric::lane_count;
 using numeric::NodeLane;
 
@@ -51,19 +50,19 @@ ACUS_INLINE void out_of_lanes(numeric::Lane4* node, const numeric::Lane8* in) {
   }
 }
 
-// Floats: four quarters side by side, each a 4x4 matrix that is turned about its diagonal. Its own inverse.
+// Floats: quarters side by side, each a 4x4 matrix that is turned about its diagonal. Its own inverse.
 ACUS_INLINE void turn_quarters(numeric::Lane16f* out, const numeric::Lane16f* in) {
   using numeric::Lane16f;
-  const auto low = [](Lane16f a, Lane16f b) __attribute__((always_inline)) {
+  const auto low = [](Lane16f a, Lane16f b) ACUS_INLINED {
     return __builtin_shufflevector(a, b, 0, 16, 1, 17, 4, 20, 5, 21, 8, 24, 9, 25, 12, 28, 13, 29);
   };
-  const auto high = [](Lane16f a, Lane16f b) __attribute__((always_inline)) {
+  const auto high = [](Lane16f a, Lane16f b) ACUS_INLINED {
     return __builtin_shufflevector(a, b, 2, 18, 3, 19, 6, 22, 7, 23, 10, 26, 11, 27, 14, 30, 15, 31);
   };
-  const auto first = [](Lane16f a, Lane16f b) __attribute__((always_inline)) {
+  const auto first = [](Lane16f a, Lane16f b) ACUS_INLINED {
     return __builtin_shufflevector(a, b, 0, 1, 16, 17, 4, 5, 20, 21, 8, 9, 24, 25, 12, 13, 28, 29);
   };
-  const auto second = [](Lane16f a, Lane16f b) __attribute__((always_inline)) {
+  const auto second = [](Lane16f a, Lane16f b) ACUS_INLINED {
     return __builtin_shufflevector(a, b, 2, 3, 18, 19, 6, 7, 22, 23, 10, 11, 26, 27, 14, 15, 30, 31);
   };
   const Lane16f low01 = low(in[0], in[1]), low23 = low(in[2], in[3]);
@@ -95,7 +94,32 @@ ACUS_INLINE void out_of_lanes(numeric::Lane4f* node, const numeric::Lane16f* in)
   }
 }
 
-// Four floats: one such quarter.
+// Eight floats: two such quarters.
+ACUS_INLINE void turn_quarters(numeric::Lane8f* out, const numeric::Lane8f* in) {
+  const auto low01 = __builtin_shufflevector(in[0], in[1], 0, 8, 1, 9, 4, 12, 5, 13);
+  const auto low23 = __builtin_shufflevector(in[2], in[3], 0, 8, 1, 9, 4, 12, 5, 13);
+  const auto high01 = __builtin_shufflevector(in[0], in[1], 2, 10, 3, 11, 6, 14, 7, 15);
+  const auto high23 = __builtin_shufflevector(in[2], in[3], 2, 10, 3, 11, 6, 14, 7, 15);
+  out[0] = __builtin_shufflevector(low01, low23, 0, 1, 8, 9, 4, 5, 12, 13);
+  out[1] = __builtin_shufflevector(low01, low23, 2, 3, 10, 11, 6, 7, 14, 15);
+  out[2] = __builtin_shufflevector(high01, high23, 0, 1, 8, 9, 4, 5, 12, 13);
+  out[3] = __builtin_shufflevector(high01, high23, 2, 3, 10, 11, 6, 7, 14, 15);
+}
+ACUS_INLINE void into_lanes(numeric::Lane8f* out, const numeric::Lane4f* node) {
+  numeric::Lane8f row[4];
+  for (int j = 0; j < 4; ++j) row[j] = __builtin_shufflevector(node[j], node[4 + j], 0, 1, 2, 3, 4, 5, 6, 7);
+  turn_quarters(out, row);
+}
+ACUS_INLINE void out_of_lanes(numeric::Lane4f* node, const numeric::Lane8f* in) {
+  numeric::Lane8f row[4];
+  turn_quarters(row, in);
+  for (int j = 0; j < 4; ++j) {
+    node[j] = __builtin_shufflevector(row[j], row[j], 0, 1, 2, 3);
+    node[4 + j] = __builtin_shufflevector(row[j], row[j], 4, 5, 6, 7);
+  }
+}
+
+// Four floats: one.
 ACUS_INLINE void into_lanes(numeric::Lane4f* out, const numeric::Lane4f* node) {
   const auto low01 = __builtin_shufflevector(node[0], node[1], 0, 4, 1, 5);
   const auto low23 = __builtin_shufflevector(node[2], node[3], 0, 4, 1, 5);
@@ -108,6 +132,19 @@ ACUS_INLINE void into_lanes(numeric::Lane4f* out, const numeric::Lane4f* node) {
 }
 ACUS_INLINE void out_of_lanes(numeric::Lane4f* node, const numeric::Lane4f* in) { into_lanes(node, in); }
 
+// Four doubles.
+ACUS_INLINE void into_lanes(numeric::Lane4* out, const numeric::Lane4* node) {
+  const auto low01 = __builtin_shufflevector(node[0], node[1], 0, 4, 2, 6);
+  const auto low23 = __builtin_shufflevector(node[2], node[3], 0, 4, 2, 6);
+  const auto high01 = __builtin_shufflevector(node[0], node[1], 1, 5, 3, 7);
+  const auto high23 = __builtin_shufflevector(node[2], node[3], 1, 5, 3, 7);
+  out[0] = __builtin_shufflevector(low01, low23, 0, 1, 4, 5);
+  out[1] = __builtin_shufflevector(high01, high23, 0, 1, 4, 5);
+  out[2] = __builtin_shufflevector(low01, low23, 2, 3, 6, 7);
+  out[3] = __builtin_shufflevector(high01, high23, 2, 3, 6, 7);
+}
+ACUS_INLINE void out_of_lanes(numeric::Lane4* node, const numeric::Lane4* in) { into_lanes(node, in); }
+
 // Two doubles.
 ACUS_INLINE void into_lanes(numeric::Lane2* out, const numeric::Lane4* node) {
   out[0] = __builtin_shufflevector(node[0], node[1], 0, 4);
@@ -119,23 +156,8 @@ ACUS_INLINE void out_of_lanes(numeric::Lane4* node, const numeric::Lane2* in) {
   for (int l = 0; l < 2; ++l) node[l] = numeric::Lane4{in[0][l], in[1][l], in[2][l], in[3][l]};
 }
 
-// The numbers that a kernel works on at once: all of a batch, or as many as fill one register where registers
-// are so few that a batch would be kept in memory.
-#ifdef __wasm_simd128__
-using PackedLane = numeric::Lane4f;
-using ExactLane = numeric::Lane2;
-#else
-using PackedLane = numeric::Lane16f;
-using ExactLane = numeric::Lane8;
-#endif
 template <class Real, class Lane>
 inline constexpr int lanes_in = sizeof(Lane) / sizeof(Real);
-template <class Lane, class Real>
-ACUS_INLINE Lane load_part(const Real* p) {
-  Lane lane;
-  std::memcpy(&lane, p, sizeof lane);
-  return lane;
-}
 
 // Node `i` of the pairs, from and to a field of padded node vectors: four numbers each. `offsets` are those
 // of TissueModel.
@@ -147,7 +169,7 @@ ACUS_INLINE void gather_node(Lane* out, const Real* field, const Offsets* offset
   into_lanes(out, node);
 }
 template <class Real>
-ACUS_INLINE void add_node(Real* field, const Offsets* offsets, int i, const ElementLane<Real>* in) {
+ACUS_INLINE void add_node(Real* field, const Offsets* offsets, int i, const numeric::LaneOf<Real, 64>* in) {
   NodeLane<Real> node[lane_count<Real>];
   out_of_lanes(node, in);
   ACUS_UNROLL

@@ -5,29 +5,17 @@
 
 namespace acus::tissue {
 
-// For a precision: how many numbers a kernel works on at once.
-template <class Real>
-struct KernelLane;
-template <>
-struct KernelLane<double> {
-  using type = ExactLane;
-};
-template <>
-struct KernelLane<float> {
-  using type = PackedLane;
-};
-
 // `count` numbers of each element, in an array [groups][count][as many as fill 64 bytes].
-template <class Real>
+template <class Lane>
 class ElementNumbers {
  public:
-  using Lane = typename KernelLane<Real>::type;
+  using Real = numeric::RealOf<Lane>;
   // Those of one part of the group that begins with element `first`.
   class Part {
    public:
     ACUS_INLINE explicit Part(const Real* from) : from_(from) {}
     ACUS_INLINE Lane operator[](int k) const {
-      return load_part<Lane>(from_ + k * numeric::lane_count<Real>);
+      return numeric::load_lanes<Lane>(from_ + k * numeric::lane_count<Real>);
     }
 
    private:
@@ -45,9 +33,8 @@ class ElementNumbers {
 
 // Calls `respond` for the parts of each batch of pairs with the part's own `offsets`, and adds up what it
 // puts on their nodes.
-template <class Real, class Respond>
+template <class Lane, class Real, class Respond>
 ACUS_INLINE void add_pairs(Real* to, const TissueModel& m, numeric::Range elements, Respond respond) {
-  using Lane = typename KernelLane<Real>::type;
   constexpr int parts = lane_count<Real> / lanes_in<Real, Lane>;
   for (std::size_t pair = elements.first / 2; pair < elements.last / 2; pair += lane_count<Real>) {
     const Offsets* offsets = m.offsets.data() + pair;

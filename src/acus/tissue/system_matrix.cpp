@@ -14,6 +14,7 @@ using numeric::Range;
 using numeric::store4;
 
 // V mu and V lambda with the factor, of elements side by side: straight from where they are kept,
+template <class Lane>
 class ExactModuli {
  public:
   ACUS_INLINE ExactModuli(const SystemMatrix& a, const TissueModel& m)
@@ -21,31 +22,33 @@ class ExactModuli {
         shear_(m.step_shear, 1),
         lambda_(m.step_lambda, 1),
         factor_(a.stiffness_factor) {}
-  ACUS_INLINE ExactLane mu_v(std::size_t first, int part) const {
+  ACUS_INLINE Lane mu_v(std::size_t first, int part) const {
     return factor_ * shear_.of(first, part)[0] * volume_.of(first, part)[0];
   }
-  ACUS_INLINE ExactLane lambda_v(std::size_t first, int part) const {
+  ACUS_INLINE Lane lambda_v(std::size_t first, int part) const {
     return factor_ * lambda_.of(first, part)[0] * volume_.of(first, part)[0];
   }
 
  private:
-  ElementNumbers<double> volume_, shear_, lambda_;
+  ElementNumbers<Lane> volume_, shear_, lambda_;
   double factor_;
 };
 // or made ready.
+template <class Lane>
 class SingleModuli {
  public:
   ACUS_INLINE SingleModuli(const SystemMatrix& a, const TissueModel&) : moduli_(a.moduli, element_moduli) {}
-  ACUS_INLINE PackedLane mu_v(std::size_t first, int part) const { return moduli_.of(first, part)[0]; }
-  ACUS_INLINE PackedLane lambda_v(std::size_t first, int part) const { return moduli_.of(first, part)[1]; }
+  ACUS_INLINE Lane mu_v(std::size_t first, int part) const { return moduli_.of(first, part)[0]; }
+  ACUS_INLINE Lane lambda_v(std::size_t first, int part) const { return moduli_.of(first, part)[1]; }
 
  private:
-  ElementNumbers<float> moduli_;
+  ElementNumbers<Lane> moduli_;
 };
 
 // The same for either precision. A product reads its numbers from where it has them.
 struct Exactly {
-  using Moduli = ExactModuli;
+  template <class Lane>
+  using Moduli = ExactModuli<Lane>;
   const SystemMatrix& a;
   const TissueModel& m;
   const Corotation& corotation;
@@ -59,7 +62,8 @@ struct Exactly {
   }
 };
 struct Singly {
-  using Moduli = SingleModuli;
+  template <class Lane>
+  using Moduli = SingleModuli<Lane>;
   const SystemMatrix& a;
   const TissueModel& m;
   const Corotation& corotation;
@@ -72,35 +76,35 @@ struct Singly {
 };
 
 // Adds what the elements do by themselves and beside it V tr(G) / 4 for the nodes' means.
-template <class Real, class Product>
+template <class Lane, class Real, class Product>
 ACUS_INLINE void add_local(Real* to, Range elements, const Product& p) {
-  using Lane = typename KernelLane<Real>::type;
-  const ElementNumbers<Real> gradients(p.gradient, 9), quarters(p.quarter_volume, 1);
-  const typename Product::Moduli moduli(p.a, p.m);
-  add_pairs(
-      to, p.m, elements,
-      [&](std::size_t pair, int part, const Offsets* offsets, Lane(*node)[4]) __attribute__((always_inline)) {
-        Lane pair_edge[12], edge[9], q[9], g[9], stress[6], force[4][4];
-        gather_edges(pair_edge, p.field.data(), offsets);
-        ACUS_UNROLL
-        for (int side = 0; side < 2; ++side) {
-          const std::size_t first = element_of_pair(pair, side);
-          const auto of_side = gradients.of(first, part);
-          edges_of_side(edge, pair_edge, side);
-          for (int k = 0; k < 9; ++k) q[k] = of_side[k];
-          gradient_of(g, edge, q);
-          const Lane trace = g[0] + g[4] + g[8];
-          stress_of(stress, g, trace, moduli.mu_v(first, part), moduli.lambda_v(first, part));
-          corner_forces(force, stress, q);
-          for (auto& corner : force) corner[3] = quarters.of(first, part)[0] * trace;
-          put_corners(node, force, side);
-        }
-      });
+  const ElementNumbers<Lane> gradients(p.gradient, 9), quarters(p.quarter_volume, 1);
+  const typename Product::template Moduli<Lane> moduli(p.a, p.m);
+  add_pairs<Lane>(to, p.m, elements,
+                  [&](std::size_t pair, int part, const Offsets* offsets, Lane(*node)[4]) ACUS_INLINED {
+                    Lane pair_edge[12], edge[9], q[9], g[9], stress[6], force[4][4];
+                    gather_edges(pair_edge, p.field.data(), offsets);
+                    ACUS_UNROLL
+                    for (int side = 0; side < 2; ++side) {
+                      const std::size_t first = element_of_pair(pair, side);
+                      const auto of_side = gradients.of(first, part);
+                      edges_of_side(edge, pair_edge, side);
+                      for (int k = 0; k < 9; ++k) q[k] = of_side[k];
+                      gradient_of(g, edge, q);
+                      const Lane trace = g[0] + g[4] + g[8];
+                      stress_of(stress, g, trace, moduli.mu_v(first, part), moduli.lambda_v(first, part));
+                      corner_forces(force, stress, q);
+                      for (auto& corner : force) corner[3] = quarters.of(first, part)[0] * trace;
+                      put_corners(node, force, side);
+                    }
+                  });
 }
 
-// Clone by clone: what is handed to a team is not.
-ACUS_KERNEL void respond(double* to, Range elements, const Exactly& p) { add_local(to, elements, p); }
-ACUS_KERNEL void respond(float* to, Range elements, const Singly& p) { add_local(to, elements, p); }
+template <class Real, class Product>
+void respond(Real* to, Range elements, const Product& p) {
+  numeric::run_kernel([&](auto bytes)
+                          ACUS_INLINED { add_local<numeric::LaneOf<Real, bytes>>(to, elements, p); });
+}
 
 // The nodes' pressures from their dilations, which are cleared: a sum's fourth number is zero otherwise.
 template <class Real, class Product>

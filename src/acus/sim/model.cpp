@@ -101,6 +101,18 @@ double tip_stiffness(const Model& m) {
   return 1.0 / (1.0 / c.stiffness + missing * half_space_sink(1.0, m.scene.tissue, c.contact_radius));
 }
 
+// A column's force is that of its contact spring, stiffness times a way, so it magnifies what the tissue is
+// left to go by as much as the spring is stiffer than the tissue answers a step under the tip. By so many
+// times the default's half percent stands. A rod is in balance with its springs as they are.
+double tolerance_share(const Model& m) {
+  if (m.bends_freely()) return 1.0;
+  constexpr double most_magnified = 100.0;
+  const double h = m.scene.run.time_step;
+  const double compliance = half_space_sink(1.0, m.scene.tissue, m.scene.contact.contact_radius) * h * h /
+                            m.factors.stiffness;  // m/N
+  return std::min(1.0, most_magnified / (m.tip_stiffness * compliance));
+}
+
 void precondition(Model& m) {
   const numeric::LowerBlocks at_rest = tissue::rest_matrix(m.tissue, m.factors.mass, m.factors.stiffness);
   m.inverse_block = numeric::inverse_diagonal(at_rest);
@@ -175,6 +187,7 @@ Result<Model> build_model(const Scene& scene, const mesh::TetMesh* mesh) {
   m.locator.emplace(m.mesh);
   m.disc_rings = coupling::rings_for(scene.contact.contact_radius, mesh::quality(m.mesh).shortest_edge);
   m.tip_stiffness = tip_stiffness(m);
+  m.tolerance_share = tolerance_share(m);
   attach_tip_into(m.entry, m, 0.0);
   if (m.entry.empty())
     return Error{"tissue: the entry lies in the part that is held fixed; choose another target"};

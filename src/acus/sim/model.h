@@ -26,7 +26,10 @@ struct Model {
   double grip_compliance = 0.0;  // m/N
   double least_load = 0.0;       // N, below which a solve counts a load as so much
   double tip_stiffness = 0.0;    // N/m, of the contact spring and what the mesh cannot sink by under the tip
-  mesh::InsertionPath path;      // entry, direction, length of tissue along it
+  // Of run.solver_tolerance, what a solve has: less where the contact spring is so stiff that what is left
+  // unbalanced would show in its force.
+  double tolerance_share = 1.0;
+  mesh::InsertionPath path;  // entry, direction, length of tissue along it
 
   // All of the tissue; empty when it is rigid.
   mesh::TetMesh mesh;  // m, at rest; free nodes first
@@ -43,6 +46,7 @@ struct Model {
   coupling::Guide guide;  // of a rod
 
   bool rigid() const { return scene.tissue.rigid; }
+  double solver_tolerance() const { return tolerance_share * scene.run.solver_tolerance; }
   tissue::Material material() const {
     return {scene.tissue.youngs_modulus, scene.tissue.poisson_ratio, scene.tissue.density};
   }

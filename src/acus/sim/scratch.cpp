@@ -15,9 +15,8 @@ Scratch build_scratch(const Model& m, int threads) {
   }
   if (m.rigid()) return w;
   w.team = Team(threads);
-  w.corotation =
-      tissue::build_corotation(m.tissue, single_precision_will_do(m.scene) ? tissue::ForcePrecision::single
-                                                                           : tissue::ForcePrecision::exact);
+  w.corotation = tissue::build_corotation(
+      m.tissue, single_precision_will_do(m) ? tissue::ForcePrecision::single : tissue::ForcePrecision::exact);
   w.matrix = tissue::build_system_matrix(m.tissue);
   tissue::set_factors(w.matrix, m.tissue, m.factors.mass, m.factors.stiffness);
   w.solver = numeric::RefinedScratch(m.tissue.free_nodes);

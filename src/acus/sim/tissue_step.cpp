@@ -34,11 +34,11 @@ void go_on(State& s, const Scratch& w) {
 
 }  // namespace
 
-bool single_precision_will_do(const Scene& scene) {
-  const double nu = scene.tissue.poisson_ratio;
+bool single_precision_will_do(const Model& m) {
+  const double nu = m.scene.tissue.poisson_ratio;
   const double bulk_over_shear = (1.0 + nu) / (1.5 - 3.0 * nu);
   const double least_tolerance = std::max(1e-6, 2e-9 * bulk_over_shear);
-  return scene.run.solver_tolerance >= least_tolerance && scene.run.solver_precision == Precision::single_;
+  return m.solver_tolerance() >= least_tolerance && m.scene.run.solver_precision == Precision::single_;
 }
 
 void multiply_tissue(numeric::NodeVectorOf<float>& y, const Model& m, Scratch& w,
@@ -47,7 +47,7 @@ void multiply_tissue(numeric::NodeVectorOf<float>& y, const Model& m, Scratch& w
 }
 
 void multiply_tissue(numeric::NodeVector& y, const Model& m, Scratch& w, const numeric::NodeVector& x) {
-  if (!single_precision_will_do(m.scene))
+  if (!single_precision_will_do(m))
     return tissue::multiply_into(y, m.tissue, w.corotation, w.matrix, x, w.team);
   numeric::NodeVectorOf<float>&single = w.solver.single.direction, &product = w.solver.single.product;
   numeric::scale_into(single, 1.0, x, w.team);
@@ -83,7 +83,7 @@ numeric::SolveOutcome improve_in_double(
 double residual_target(const Model& m, const Scratch& w, const numeric::NodeVector& right_hand_side,
                        double load) {
   const double norm = std::sqrt(numeric::dot(right_hand_side, right_hand_side, w.team));
-  return m.scene.run.solver_tolerance * (norm + m.scene.run.time_step * std::max(load, m.least_load));
+  return m.solver_tolerance() * (norm + m.scene.run.time_step * std::max(load, m.least_load));
 }
 
 void move_tissue(const Model& m, State& s, Scratch& w, TissueBefore& before, const StepProbe& probe) {

@@ -18,8 +18,8 @@ struct TissueBefore {
 };
 
 // Whether single precision will do for all that a step computes afresh: what it loses of the step's motion
-// and of the stresses is a ten millionth of the load, and the scene's tolerance is more.
-bool single_precision_will_do(const Scene& scene);
+// and of the stresses is a ten millionth of the load, and the tolerance is more.
+bool single_precision_will_do(const Model& model);
 
 // y = A x with the tissue's own matrix: of doubles as exactly as that allows, with working memory of the
 // solver's inner iterations; of floats singly.
@@ -40,7 +40,7 @@ double persistence_after(double before, double again, double all);
 // complete.
 void begin_tissue(const Model& model, State& state, Scratch& scratch);
 
-// N s, what a solve may leave: the scene's tolerance of its right-hand side and of the `load` [N] on the
+// N s, what a solve may leave: the model's tolerance of its right-hand side and of the `load` [N] on the
 // tissue. In a slow insertion the first is what hardly moves, a hundredth of the load and less.
 double residual_target(const Model& model, const Scratch& scratch, const numeric::NodeVector& right_hand_side,
                        double load);
@@ -69,7 +69,7 @@ numeric::SolveOutcome improve_velocity(const Model& m, State& s, Scratch& w, dou
   numeric::SolveOutcome outcome =
       m.scene.run.solver_precision == Precision::single_
           ? numeric::improve_refined_into(s.velocity, w.imbalance, target, max_iterations,
-                                          single_precision_will_do(m.scene), w.solver, multiply,
+                                          single_precision_will_do(m), w.solver, multiply,
                                           preconditioner(m, w), w.team)
           : improve_in_double(m, s, w, target, std::cref(multiply));
   outcome.broke_down = outcome.broke_down || outcome.residual_norm > target;

@@ -1,4 +1,4 @@
-// One correction of a tracked rotation, on one element alone: q_i are the columns of R, edges those of F.
+// One correction of a tracked rotation, on one element alone.
 #include "acus/tissue/tracked_rotation.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,6 @@ double angle_between(const Mat3& a, const Mat3& b) {
   return 0.5 * Vec3(skew(2, 1), skew(0, 2), skew(1, 0)).norm();
 }
 
-// With unit vectors for gradients the displacement's edges are the columns of F - I, and the q_i those of R.
 struct Corrected {
   Eigen::Quaterniond turn;
   double change = 0.0, margin = 0.0;
@@ -30,11 +29,10 @@ struct Corrected {
 };
 Corrected correct(const Mat3& F, const Eigen::Quaterniond& turn) {
   Corrected c{turn};
-  const Mat3 g = Mat3::Identity(), u = F - g;
-  Mat3 r, q, b;
+  const Mat3 h = F - Mat3::Identity();
+  Mat3 r, b;
   turn_less_identity(r.data(), turn.coeffs().data());
-  turn_gradients(q.data(), r.data(), g.data());
-  stretch_less_identity(b.data(), r.data(), u.data(), q.data());
+  stretch_less_identity(b.data(), r.data(), h.data());
   c.margin = correct_turn(c.turn.coeffs().data(), b.data(), c.change);
   return c;
 }

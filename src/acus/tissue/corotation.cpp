@@ -18,19 +18,16 @@ using numeric::Range;
 // Elements side by side. Matrices are column by column: entry (r, c) at 3 c + r.
 template <class Lane>
 struct Part {
-  Lane edge[9];  // of the displacement, u_i - u_0 of corners 1 to 3, m
-  Lane g[9];     // gradients at rest, 1/m
+  Lane h[9];  // gradient of the displacement at rest, F - I
   Lane turn[turn_numbers];
   Lane r[9];  // R - I
-  Lane q[9];  // rotated gradients, 1/m
   Lane b[9];  // F R^T - I
 };
 
 template <class Lane>
-ACUS_INLINE void turn_part(Part<Lane>& p) {
+ACUS_INLINE void stretch_part(Part<Lane>& p) {
   turn_less_identity(p.r, p.turn);
-  turn_gradients(p.q, p.r, p.g);
-  stretch_less_identity(p.b, p.r, p.edge, p.q);
+  stretch_less_identity(p.b, p.r, p.h);
 }
 
 // Where the elements are to go.
@@ -65,7 +62,7 @@ ACUS_INLINE int follow(Part<Lane>& p, const There& there, std::size_t first) {
   Lane change, margin = correct_turn(p.turn, p.b, change);
   auto moving = !(change < converged);
   for (int step = 1; step < tracked_turn_most && !none(moving); ++step) {
-    turn_part(p);
+    stretch_part(p);
     Lane turn[turn_numbers], new_change;
     for (int k = 0; k < turn_numbers; ++k) turn[k] = p.turn[k];
     const Lane new_margin = correct_turn(turn, p.b, new_change);
@@ -101,7 +98,7 @@ struct LaneSums {
 // -V sigma, with what a branch adds to it and to the forces; its energy. `branch` is a BranchPart, or
 // nothing.
 template <class Lane, class... Branch>
-ACUS_INLINE void strain(Lane (*force)[4], const Part<Lane>& p, numeric::Wide<Lane>& energy,
+ACUS_INLINE void strain(Lane (*force)[4], const Part<Lane>& p, const Lane* q, numeric::Wide<Lane>& energy,
                         [[maybe_unused]] numeric::Wide<Lane>& relaxed, Lane mu_v, Lane lambda_v,
                         Lane quarter_volume, const Branch&... branch) {
   constexpr RealOf<Lane> half = 0.5, two = 2.0;
@@ -118,10 +115,10 @@ ACUS_INLINE void strain(Lane (*force)[4], const Part<Lane>& p, numeric::Wide<Lan
   if constexpr (sizeof...(branch) > 0) {
     Lane z[3];
     add_branch(energy, relaxed, branch..., stress, z, p.r, e, two * mu_v);
-    corner_forces(force, stress, p.q);
-    add_skew_forces(force, z, p.q);
+    corner_forces(force, stress, q);
+    add_skew_forces(force, z, q);
   } else {
-    corner_forces(force, stress, p.q);
+    corner_forces(force, stress, q);
   }
   for (int i = 0; i < 4; ++i) force[i][3] = quarter_volume * trace;
 }
@@ -159,21 +156,24 @@ ACUS_INLINE Sums each_element(Real* to, Range elements, Corotation& out, Rotated
           const std::size_t first = element_of_pair(pair, side);
           const std::size_t own = first + static_cast<std::size_t>(part) * lanes_in<Real, Lane>;
           Part<Lane> p;
-          edges_of_side(p.edge, pair_edge, side);
-          const auto g = gradients.of(first, part), turn = turns.of(first, part);
-          for (int k = 0; k < 9; ++k) p.g[k] = g[k];
+          Lane edge[9], g[9], q[9];
+          edges_of_side(edge, pair_edge, side);
+          const auto gradient = gradients.of(first, part), turn = turns.of(first, part);
+          for (int k = 0; k < 9; ++k) g[k] = gradient[k];
           for (int k = 0; k < turn_numbers; ++k) p.turn[k] = turn[k];
-          turn_part(p);
+          gradient_of(p.h, edge, g);
+          stretch_part(p);
           sums.safe_rotations += follow(p, there, own);
-          turn_part(p);
+          stretch_part(p);
+          turn_gradients(q, p.r, g);
           store_numbers(&at.turn[place_of<Real>(own, 0, turn_numbers)], p.turn, turn_numbers);
-          store_numbers(&at.gradient[place_of<Real>(own, 0, 9)], p.q, 9);
+          store_numbers(&at.gradient[place_of<Real>(own, 0, 9)], q, 9);
           if constexpr (std::is_same_v<Real, double>)
-            store_rounded(&out.single.gradient[place_of<float>(own, 0, 9)], p.q, 9);
+            store_rounded(&out.single.gradient[place_of<float>(own, 0, 9)], q, 9);
           [[maybe_unused]] const std::size_t of_branch = place_of<float>(own, 0, strain_numbers);
           const auto modulus = moduli.of(first, part);
           Lane force[4][4];
-          strain(force, p, sums.energy[part], sums.relaxed[part], modulus[0], modulus[1],
+          strain(force, p, q, sums.energy[part], sums.relaxed[part], modulus[0], modulus[1],
                  quarters.of(first, part)[0],
                  BranchPart{m.relaxation, &branch.spring[of_branch], &branch.strain[of_branch]}...);
           put_corners(node, force, side);

@@ -1,12 +1,12 @@
 // Rotations that follow the tissue: from those of the step before to those of this one.
 //
-// A rotation R is kept as a quaternion, x y z w, of length one to rounding. With q_i = R g_i and
-// B = F R^T = I + (R - I)^T + sum_i u_i q_i^T, of the displacements u, B is symmetric when R is the rotation
-// of F. What is left of it, B_32 - B_23 and so on, is (tr(S) I - S) w for a small turn w, S the symmetric
-// part: a step of Newton's method for the polar factor on the rotations themselves, from a start that is
-// already near. Terms of second order cancel: what a correction by w leaves is of the order of w^3. Nothing
-// but what differs from the rest state is ever added up, so that rounding is a share of the displacement's
-// gradient and of the turn, and tissue at rest has no stress whatever the precision.
+// A rotation R is kept as a quaternion, x y z w, of length one to rounding. With the gradient H = F - I of
+// the displacement, B = F R^T = I + (R - I)^T + H R^T is symmetric when R is the rotation of F. What is left
+// of it, B_32 - B_23 and so on, is (tr(S) I - S) w for a small turn w, S the symmetric part: a step of
+// Newton's method for the polar factor on the rotations themselves, from a start that is already near. Terms
+// of second order cancel: what a correction by w leaves is of the order of w^3. Nothing but what differs from
+// the rest state is ever added up, so that rounding is a share of the displacement's gradient and of the
+// turn, and tissue at rest has no stress whatever the precision.
 #pragma once
 
 #include "acus/tissue/element.h"
@@ -42,12 +42,13 @@ ACUS_INLINE void turn_gradients(Lane* q, const Lane* r, const Lane* g) {
       q[3 * i + c] = g[3 * i + c] + (r[c] * g[3 * i] + r[3 + c] * g[3 * i + 1] + r[6 + c] * g[3 * i + 2]);
 }
 
-// B - I, from R - I, and the displacement's edges u_i - u_0.
+// B - I = F R^T - I, from R - I and the displacement's gradient at rest, H = F - I.
 template <class Lane>
-ACUS_INLINE void stretch_less_identity(Lane* b, const Lane* r, const Lane* edge, const Lane* q) {
-  gradient_of(b, edge, q);
+ACUS_INLINE void stretch_less_identity(Lane* b, const Lane* r, const Lane* h) {
   for (int c = 0; c < 3; ++c)
-    for (int k = 0; k < 3; ++k) b[3 * c + k] += r[3 * k + c];
+    for (int k = 0; k < 3; ++k)
+      b[3 * c + k] =
+          r[3 * k + c] + (h[3 * c + k] + (h[k] * r[c] + h[3 + k] * r[3 + c] + h[6 + k] * r[6 + c]));
 }
 
 // Corrects the turn that gave B - I. `change` becomes the square of the angle. Returns a number above 0 where

@@ -54,7 +54,8 @@ TEST(SinglePrecision, is_chosen_where_the_tolerance_allows) {
   EXPECT_FALSE(chosen(0.9e-6, 0.48, Precision::single_));
   EXPECT_FALSE(chosen(5e-5, 0.48, Precision::double_));
   EXPECT_FALSE(chosen(1e-6, 0.4999, Precision::single_));
-  EXPECT_TRUE(chosen(5e-5, 0.4999, Precision::single_));
+  EXPECT_FALSE(chosen(5e-5, 0.4999, Precision::single_));
+  EXPECT_TRUE(chosen(5e-5, 0.499, Precision::single_));
   // A column whose contact spring magnifies what is left is solved more exactly; a rod need not be.
   scene.contact.near_field = false;
   scene.contact.stiffness = 1e8;

@@ -160,12 +160,6 @@ ACUS_INLINE NodeLane<Real> load4(const Real* p) {
   std::memcpy(&v, p, sizeof v);
   return v;
 }
-// Three numbers and a zero.
-ACUS_INLINE Lane4 load3(const double* p) {
-  Lane2 xy;
-  std::memcpy(&xy, p, sizeof xy);
-  return __builtin_shufflevector(xy, Lane2{p[2], 0.0}, 0, 1, 2, 3);
-}
 ACUS_INLINE void store4(double* p, Lane4 v) { std::memcpy(p, &v, sizeof v); }
 ACUS_INLINE void store4(float* p, Lane4f v) { std::memcpy(p, &v, sizeof v); }
 template <class Lane, class Real>
@@ -178,6 +172,19 @@ ACUS_INLINE Lane load_lanes(const Real* p) {
 template <class Lane>
 ACUS_INLINE Wide<Lane> widened(const Lane& v) {
   return __builtin_convertvector(v, Wide<Lane>);
+}
+// In single precision, of two vectors one.
+ACUS_INLINE Lane4f narrowed(const Lane2& a, const Lane2& b) {
+  return __builtin_shufflevector(__builtin_convertvector(a, Lane2f), __builtin_convertvector(b, Lane2f), 0, 1,
+                                 2, 3);
+}
+ACUS_INLINE Lane8f narrowed(const Lane4& a, const Lane4& b) {
+  return __builtin_shufflevector(__builtin_convertvector(a, Lane4f), __builtin_convertvector(b, Lane4f), 0, 1,
+                                 2, 3, 4, 5, 6, 7);
+}
+ACUS_INLINE Lane16f narrowed(const Lane8& a, const Lane8& b) {
+  return __builtin_shufflevector(__builtin_convertvector(a, Lane8f), __builtin_convertvector(b, Lane8f), 0, 1,
+                                 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
 }
 // Of eight or sixteen numbers in however many vectors, in one order.
 template <class Lane, int parts>

@@ -37,7 +37,7 @@ void go_on(State& s, const Scratch& w) {
 bool single_precision_will_do(const Model& m) {
   const double nu = m.scene.tissue.poisson_ratio;
   const double bulk_over_shear = (1.0 + nu) / (1.5 - 3.0 * nu);
-  const double least_tolerance = std::max(1e-6, 2e-9 * bulk_over_shear);
+  const double least_tolerance = std::max(1e-6, 2e-8 * bulk_over_shear);
   return m.solver_tolerance() >= least_tolerance && m.scene.run.solver_precision == Precision::single_;
 }
 
@@ -47,8 +47,7 @@ void multiply_tissue(numeric::NodeVectorOf<float>& y, const Model& m, Scratch& w
 }
 
 void multiply_tissue(numeric::NodeVector& y, const Model& m, Scratch& w, const numeric::NodeVector& x) {
-  if (!single_precision_will_do(m))
-    return tissue::multiply_into(y, m.tissue, w.corotation, w.matrix, x, w.team);
+  if (!w.corotation.is_single()) return tissue::multiply_into(y, m.tissue, w.corotation, w.matrix, x, w.team);
   numeric::NodeVectorOf<float>&single = w.solver.single.direction, &product = w.solver.single.product;
   numeric::scale_into(single, 1.0, x, w.team);
   multiply_tissue(product, m, w, single);

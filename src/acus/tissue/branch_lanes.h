@@ -19,32 +19,29 @@ template <class Lane>
 ACUS_INLINE void relax(numeric::Wide<Lane>& energy, numeric::Wide<Lane>& relaxed, const BranchPart& branch,
                        Lane* pull, const Lane* e, Lane two_mu_v) {
   using Real = RealOf<Lane>;
+  using Wide = numeric::Wide<Lane>;
   const RelaxationStep& r = branch.step;
   const auto kept = static_cast<Real>(r.kept), taken = static_cast<Real>(r.taken),
              lead = static_cast<Real>(r.lead), spent_share = static_cast<Real>(r.spent),
              rest = static_cast<Real>(r.rest);
   const Lane modulus = static_cast<Real>(r.modulus) * two_mu_v;
-  const auto narrowed = [](const double* from) ACUS_INLINED {
-    numeric::Wide<Lane> wide;
-    std::memcpy(&wide, from, sizeof wide);
-    return __builtin_convertvector(wide, Lane);
-  };
-  const auto keep = [](double* to, const Lane& v) ACUS_INLINED {
-    const numeric::Wide<Lane> wide = numeric::widened(v);
-    std::memcpy(to, &wide, sizeof wide);
-  };
+  constexpr int stride = numeric::lane_count<float>;
   Lane stored{}, spent{};
-  for (int k = 0; k < strain_numbers; ++k) {
-    const Real times = k < 3 ? Real{1} : Real{2};  // a shear stands twice in a tensor
-    const Lane change = e[k] - narrowed(branch.strain + k * batch_pairs);
-    const Lane before = narrowed(branch.spring + k * batch_pairs);
-    const Lane mean = before + lead * change;
-    const Lane now = kept * before + taken * change;
+  for (int l = 0; l < strain_numbers; ++l) {
+    const Real times = l < 3 ? Real{1} : Real{2};  // a shear stands twice in a tensor
+    double *const spring = branch.spring + l * stride, *const strain = branch.strain + l * stride;
+    const Wide before = numeric::load_lanes<Wide>(spring);
+    const Lane change = e[l] - __builtin_convertvector(numeric::load_lanes<Wide>(strain), Lane);
+    const Lane mean = __builtin_convertvector(before, Lane) + lead * change;
+    // In double: what a step forgets of it may be less than floats can tell.
+    const Wide after = r.kept * before + numeric::widened(taken * change);
+    const Lane now = __builtin_convertvector(after, Lane);
     stored += times * now * now;
     spent += times * (spent_share * mean * mean + rest * change * change);
-    pull[k] = kept * modulus * now;
-    keep(branch.spring + k * batch_pairs, now);
-    keep(branch.strain + k * batch_pairs, e[k]);
+    pull[l] = kept * modulus * now;
+    const Wide reached = numeric::widened(e[l]);
+    std::memcpy(spring, &after, sizeof after);
+    std::memcpy(strain, &reached, sizeof reached);
   }
   energy += numeric::widened(static_cast<Real>(0.5) * modulus * stored);
   relaxed += numeric::widened(modulus * spent);
@@ -66,7 +63,7 @@ ACUS_INLINE void skew_stress(Lane* z, const Lane* s, const Lane* t) {
                          ac * bc - ab * c, ab * bc - ac * b, ab * ac - a * bc};
   const Lane determinant = a * minor[0] + ab * minor[3] + ac * minor[4];  // 8 at rest
   constexpr Real least = static_cast<Real>(1e-3);
-  const Lane inverse = determinant / (determinant * determinant + least * least);
+  const Lane inverse = Real{1} / (determinant + least * least / determinant);
   z[0] = inverse * (minor[0] * twist[0] + minor[3] * twist[1] + minor[4] * twist[2]);
   z[1] = inverse * (minor[3] * twist[0] + minor[1] * twist[1] + minor[5] * twist[2]);
   z[2] = inverse * (minor[4] * twist[0] + minor[5] * twist[1] + minor[2] * twist[2]);
@@ -113,7 +110,7 @@ ACUS_INLINE void add_branch(numeric::Wide<Lane>& energy, numeric::Wide<Lane>& re
   skew_stress(z, stretch, pull);
 }
 
-// f_i += z x q_i of corners 1 to 3, less it of corner 0, with the sign of the stresses above.
+// f_i -= z x q_i of corners 1 to 3, and corner 0 the opposite: the stresses above are negative, too.
 template <class Lane>
 ACUS_INLINE void add_skew_forces(Lane (*force)[4], const Lane* z, const Lane* q) {
   for (int i = 0; i < 3; ++i) {

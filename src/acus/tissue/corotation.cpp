@@ -150,7 +150,7 @@ ACUS_INLINE Sums each_element(Real* to, Range elements, Corotation& out, Rotated
   add_pairs<Lane>(
       to, m, elements, [&](std::size_t pair, int part, const Offsets* offsets, Lane(*node)[4]) ACUS_INLINED {
         Lane pair_edge[12];
-        gather_edges(pair_edge, at.displacement.data(), offsets);
+        gather_narrowed_edges(pair_edge, out.displacement.data(), offsets);
         ACUS_UNROLL
         for (int side = 0; side < 2; ++side) {
           const std::size_t first = element_of_pair(pair, side);
@@ -212,10 +212,10 @@ double dilate(Real* sum, Range nodes, Corotation& out, RotatedElements<Real>& at
 template <class Real, class... Branch>
 void evaluate(Corotation& out, RotatedElements<Real>& at, const ElementsAtRest<Real>& rest,
               const TissueModel& m, std::span<const Vec3> positions, const Team& team, Branch&... branch) {
-  numeric::each_piece(at.displacement.size(), team, [&](Range r) {
+  numeric::each_piece(out.displacement.size(), team, [&](Range r) {
     for (std::size_t i = r.first; i < r.last; i += node_stride) {
       const Vec3 u = positions[i / node_stride] - m.rest[i / node_stride];
-      for (int c = 0; c < 3; ++c) at.displacement[i + c] = static_cast<Real>(u[c]);
+      for (int c = 0; c < 3; ++c) out.displacement[i + c] = u[c];
     }
   });
   std::array<Sums, most_streams> sums;
@@ -263,7 +263,6 @@ void begin(RotatedElements<Real>& at, const ElementsAtRest<Real>& rest, const Ti
   at.turn.assign(turn_numbers * m.corners.size(), Real{});
   for (std::size_t e = 0; e < m.corners.size(); ++e) at.turn[place_of<Real>(e, 3, turn_numbers)] = Real{1};
   const std::size_t size = static_cast<std::size_t>(m.nodes) * node_stride;
-  at.displacement.assign(size, Real{});
   at.parts.assign(m.streams.count() * size, Real{});
   if (m.kind == ElementKind::nodal_pressure) at.pressure.assign(size, Real{});
 }
@@ -273,6 +272,7 @@ void begin(RotatedElements<Real>& at, const ElementsAtRest<Real>& rest, const Ti
 Corotation build_corotation(const TissueModel& model, ForcePrecision precision) {
   Corotation c;
   c.elastic_force.assign(static_cast<std::size_t>(model.nodes) * node_stride, 0.0);
+  c.displacement = c.elastic_force;
   if (precision == ForcePrecision::single) {
     begin(c.single, model.single, model);
   } else {

@@ -17,22 +17,23 @@
 
 namespace acus::tissue {
 
-// Rotations and forces exactly, or in single precision: rounded to 1e-7 of the stresses.
+// Rotations and forces exactly, or in single precision: strains are then rounded to 1e-7 of the
+// displacement's gradient and of the turn.
 enum class ForcePrecision { exact, single };
 
 // Where the elements are, in the precision that was chosen, and the working memory of its kernels.
 template <class Real>
 struct RotatedElements {
-  std::vector<Real> gradient;                // [groups][9] 1/m: q_i = R g_i of corners 1 to 3
-  std::vector<Real> turn;                    // [groups][4] R as a quaternion (tracked_rotation.h)
-  numeric::NodeVectorOf<Real> displacement;  // [nodes] m
-  numeric::NodeVectorOf<Real> pressure;      // [nodes] Pa, the fourth number; empty for linear
-  numeric::NodeVectorOf<Real> parts;  // [streams][nodes] N, what they ask of the nodes, zero in between
+  std::vector<Real> gradient;            // [groups][9] 1/m: q_i = R g_i of corners 1 to 3
+  std::vector<Real> turn;                // [groups][4] R as a quaternion (tracked_rotation.h)
+  numeric::NodeVectorOf<Real> pressure;  // [nodes] Pa, the fourth number; empty for linear
+  numeric::NodeVectorOf<Real> parts;     // [streams][nodes] N, what they ask of the nodes, zero in between
 };
 
 struct Corotation {
   RotatedElements<double> exact;      // empty where the precision is single
   RotatedElements<float> single;      // where it is not, no more of it than the gradients
+  numeric::NodeVector displacement;   // [nodes] m
   std::vector<double> dilation;       // [nodes] theta_a; stays empty for linear
   numeric::NodeVector elastic_force;  // [nodes] N, of the tissue on its nodes
   double energy = 0.0;                // J, with that of the branches' springs

@@ -62,6 +62,21 @@ ACUS_INLINE void gather_edges(Lane* edge, const Real* field, const Offsets* offs
   }
 }
 
+// The same of a field in double, for lanes of either precision: what floats lose is a share of the edges and
+// not of the field.
+template <class Lane>
+ACUS_INLINE void gather_narrowed_edges(Lane* edge, const double* field, const Offsets* offsets) {
+  if constexpr (std::is_same_v<numeric::RealOf<Lane>, double>) {
+    gather_edges(edge, field, offsets);
+  } else {
+    using Half = numeric::LaneOf<double, sizeof(Lane)>;
+    constexpr int numbers = 3 * (pair_nodes - 1);
+    Half half[2][numbers];
+    for (int i = 0; i < 2; ++i) gather_edges(half[i], field, offsets + i * lanes_in<double, Half>);
+    for (int k = 0; k < numbers; ++k) edge[k] = numeric::narrowed(half[0][k], half[1][k]);
+  }
+}
+
 // Which of a pair's nodes is a corner of one of its sides: the other side sees the shared face from behind.
 inline constexpr int node_of_corner(int side, int corner) {
   return side == 0 || corner == 0 ? corner : corner == 3 ? 4 : 3 - corner;

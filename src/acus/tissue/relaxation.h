@@ -7,7 +7,7 @@
 // Pister and Goudreau, Int. J. Num. Meth. Eng. 2, 1970; Simo and Hughes, Computational Inelasticity, ch. 10):
 //   q1 = a q0 + b (e1 - e0),   a = exp(-x),   b = (1 - a) / x,
 // whatever the step. To the system matrix the branch is a shear modulus of G m b more, and nothing else; the
-// force at a step's beginning is that of a q0, with what the rotation adds (corotation.cpp, skew_stress). The
+// force at a step's beginning is that of a q0, with what the rotation adds (branch_lanes.h, skew_stress). The
 // dashpot spends exactly
 //   integral of 2 G m |q|^2 / tau = 2 G m (c |q0 + s (e1 - e0)|^2 + r |e1 - e0|^2)   J/m^3 in a step,
 //   c = x b (1 + a) / 2,   s = b / (1 + a),   r >= 0: a sum of squares, which cannot shrink.
@@ -41,8 +41,8 @@ RelaxationStep relaxation_step(const Relaxation& relaxation, double h);
 // Six numbers of each element, xx yy zz xy xz yz. Both stay empty where nothing relaxes.
 inline constexpr int strain_numbers = 6;
 struct MaxwellBranch {
-  std::vector<double> spring;  // [batches of 16][6][16] q
-  std::vector<double> strain;  // [batches of 16][6][16] e, at the end of the last step
+  std::vector<double> spring;  // [groups of floats][6] q
+  std::vector<double> strain;  // [groups of floats][6] e, at the end of the last step
 };
 
 }  // namespace acus::tissue

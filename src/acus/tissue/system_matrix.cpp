@@ -1,6 +1,7 @@
 #include "acus/tissue/system_matrix.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "acus/tissue/pair_sums.h"
 #include "acus/tissue/pressure.h"
@@ -174,6 +175,7 @@ void set_factors(SystemMatrix& out, const TissueModel& model, double mass_factor
 
 void multiply_into(numeric::NodeVector& y, const TissueModel& model, const Corotation& corotation,
                    const SystemMatrix& a, const numeric::NodeVector& x, const Team& team) {
+  assert(!corotation.is_single());
   multiply(y, x, team, Exactly{a, model, corotation});
 }
 

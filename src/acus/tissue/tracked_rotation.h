@@ -1,19 +1,19 @@
 // Rotations that follow the tissue: from those of the step before to those of this one.
 //
-// A rotation R is kept as a quaternion, x y z w, of length one to rounding. With the gradient H = F - I of
-// the displacement, B = F R^T = I + (R - I)^T + H R^T is symmetric when R is the rotation of F. What is left
-// of it, B_32 - B_23 and so on, is (tr(S) I - S) w for a small turn w, S the symmetric part: a step of
-// Newton's method for the polar factor on the rotations themselves, from a start that is already near. Terms
-// of second order cancel: what a correction by w leaves is of the order of w^3. Nothing but what differs from
-// the rest state is ever added up, so that rounding is a share of the displacement's gradient and of the
-// turn, and tissue at rest has no stress whatever the precision.
+// A rotation R is kept as a quaternion, x y z w, of any length, which is near one after a few corrections.
+// With the gradient H = F - I of the displacement, B = F R^T = I + (R - I)^T + H R^T is symmetric when R is
+// the rotation of F. What is left of it, B_32 - B_23 and so on, is (tr(S) I - S) w for a small turn w, S the
+// symmetric part: a step of Newton's method for the polar factor on the rotations themselves, from a start
+// that is already near. Terms of second order cancel: what a correction by w leaves is of the order of w^3.
+// Nothing but what differs from the rest state is ever added up, so that rounding is a share of the
+// displacement's gradient and of the turn, and tissue at rest has no stress whatever the precision.
 #pragma once
 
 #include "acus/tissue/element.h"
 
 namespace acus::tissue {
 
-// A correction below this, a square of radians, leaves 1e-12.
+// A correction below this, a square of radians, leaves 1e-12, or what rounding leaves of floats.
 inline constexpr double tracked_turn_converged = 1e-8;
 inline constexpr int tracked_turn_most = 4;
 inline constexpr int turn_numbers = 4;
@@ -75,8 +75,8 @@ ACUS_INLINE Lane correct_turn(Lane* turn, const Lane* b, Lane& change) {
   const Lane scale = two / (one + (nx * nx + ny * ny + nz * nz + nw * nw));
   turn[0] = scale * nx, turn[1] = scale * ny, turn[2] = scale * nz, turn[3] = scale * nw;
   // At rest the trace of K is 6, its determinant 8.
-  constexpr Real flattest = static_cast<Real>(1e-5);
-  constexpr Real smallest = static_cast<Real>(1e-3);  // below, B is lost in the rounding of B - I
+  // As flat, Newton's method hardly converges; as small, B is lost in the rounding of B - I in floats.
+  constexpr Real flattest = static_cast<Real>(1e-5), smallest = static_cast<Real>(1e-3);
   const Lane trace = k0 + k1 + k2, not_crushed = trace - smallest;
   const Lane by_determinant = determinant - flattest * trace * trace * trace;
   const Lane least = k0 < m22 ? k0 : m22;

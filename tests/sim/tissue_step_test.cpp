@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <functional>
+
 namespace acus {
 namespace {
 
@@ -35,6 +38,47 @@ TEST(Persistence, of_a_decay_is_its_rate) {
 }
 
 TEST(Persistence, of_rest_is_nothing) { EXPECT_EQ(persistence_over(std::vector<double>(20, 0.0)), 0.0); }
+
+// A step's velocity is what `motion` says of it; returns what each step began its solve with, less that.
+std::vector<double> missed(const std::function<double(int)>& motion) {
+  Scene scene;
+  scene.tissue.tetrahedra = 200;
+  const Model model = build_model(scene, nullptr).value();
+  State state = initial_state(model);
+  Scratch scratch = build_scratch(model);
+  const auto velocity = [&](int step) {
+    numeric::NodeVector v = state.velocity;
+    for (std::size_t i = 0; i < v.size(); ++i)
+      v[i] = i % numeric::node_stride < 3 ? 1e-9 * motion(step) * static_cast<double>(i % 7) : 0.0;
+    return v;
+  };
+  std::vector<double> all;
+  for (int step = 0; step < 60; ++step) {
+    form_momentum(model, state, scratch);
+    begin_tissue(model, state, scratch);
+    numeric::NodeVector v = velocity(step);
+    const double scale = std::sqrt(numeric::dot(v, v));
+    numeric::scale_and_add_into(state.velocity, -1.0, v);
+    all.push_back(std::sqrt(numeric::dot(state.velocity, state.velocity)) / scale);
+    state.velocity = v;
+    TissueBefore before;
+    move_tissue(model, state, scratch, before, {});
+  }
+  return all;
+}
+
+TEST(StartOfASolve, goes_on_along_a_line_and_a_parabola) {
+  const auto line = missed([](int i) { return 1.0 + 0.3 * i; });
+  const auto parabola = missed([](int i) { return 1.0 + 0.3 * i - 0.02 * i * i; });
+  EXPECT_LT(line.back(), 1e-9);
+  EXPECT_LT(parabola.back(), 1e-9);
+}
+
+// A bend that comes and goes is nothing to go on by: the start stays on the line.
+TEST(StartOfASolve, does_not_follow_a_bend_that_does_not_come_again) {
+  const auto shaken = missed([](int i) { return 10.0 + i + (i % 2 == 0 ? 0.1 : -0.1); });
+  for (int i = 20; i < 60; ++i) EXPECT_LT(shaken[i], 0.6 / (10.0 + i)) << i;  // 0.8 by a parabola
+}
 
 TEST(SinglePrecision, is_chosen_where_the_tolerance_allows) {
   Scene scene;

@@ -90,8 +90,8 @@ struct GuideScene {
   double friction = 0.0;   // N/m, per length of needle inside it
 };
 
-// Of the inner iterations of a solve. In single precision they are refined in double where floats do not
-// reach.
+// Of the inner iterations of a solve and, where the tolerance allows floats, of what a step finds afresh. In
+// single precision iterations are refined in double where floats do not reach.
 enum class Precision { single_, double_ };
 
 struct RunScene {

@@ -51,8 +51,8 @@ struct RodScratch {
 struct Scratch {
   Team team;  // who does the work of a step
   // At the present positions. Its rotations go on from those of the step before, so that their last bits
-  // (1e-12) remember the way: a scratch belongs to one run, and a state alone does not go on to the same
-  // bits.
+  // (1e-12, of floats 1e-7) remember the way: a scratch belongs to one run, and a state alone does not go on
+  // to the same bits.
   tissue::Corotation corotation;
   tissue::SystemMatrix matrix;
   numeric::RefinedScratch solver;

@@ -37,8 +37,9 @@ struct State {
   long steps = 0;                // taken so far; time is this many time steps, without a sum's rounding
   std::vector<Vec3> position;    // m, [nodes]; advance
   numeric::NodeVector velocity;  // m/s, [free nodes]; begin_tissue and the solves
-  // Where the velocity may go next: its change over the last step and the change of that, m/s, and the shares
-  // of both that came again in the steps before; advance
+  // Where the velocity may go next: its change over the last step and the change of that, m/s, [free nodes],
+  // and the shares of both that came again in the last steps, 0 to 1; move_tissue. A change is believed until
+  // it fails to come again, a bend only when it has.
   numeric::NodeVector velocity_change, velocity_bend;
   double change_persists = 1.0, bend_persists = 0.0;
   tissue::MaxwellBranch branch;  // of tissue that relaxes; corotate_into

@@ -16,8 +16,8 @@
 
 namespace acus::tissue {
 
-// A = mass_factor M + stiffness_factor K', over the free nodes. In double it is applied straight from the
-// rotated gradients; the inner iterations of a solve use their copy in single precision.
+// A = mass_factor M + stiffness_factor K', over the free nodes. It is applied straight from
+// the rotated gradients, in double only where these are.
 struct SystemMatrix {
   double mass_factor = 1.0;
   double stiffness_factor = 0.0;

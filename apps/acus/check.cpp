@@ -12,6 +12,7 @@
 #include "acus/sim/hill.h"
 #include "acus/sim/names.h"
 #include "acus/sim/prediction.h"
+#include "acus/sim/summary.h"
 #include "acus/sim/support.h"
 #include "verbs.h"
 
@@ -113,8 +114,8 @@ void print_hand(const HandScene& hand) {
     std::printf("         holds the hub in a rigid grip; a real one gives way: see hand.stiffness_N_m\n");
 }
 
-// Steps the simulation for about a tenth of a second of wall time and says what a step costs. The first steps
-// do not count: they set tissue at rest in motion.
+// Steps the simulation for about a tenth of a second of wall time and says what a step costs, unless it
+// fails. The first steps do not count: they set tissue at rest in motion.
 void print_cost(const Scene& scene, Simulation& simulation) {
   using Clock = std::chrono::steady_clock;
   constexpr int unsettled = 20, fewest = 5, most = 500;  // steps
@@ -124,7 +125,7 @@ void print_cost(const Scene& scene, Simulation& simulation) {
   const auto advance = [&] {
     const std::optional<double> travel = hand.next(simulation.frame().hand_force);
     if (travel) simulation.step(*travel);
-    return travel.has_value();
+    return travel.has_value() && simulation.frame().health == Health::good;
   };
   for (int i = 0; i < std::min(unsettled, all / 2); ++i) advance();
   const auto start = Clock::now();
@@ -134,6 +135,7 @@ void print_cost(const Scene& scene, Simulation& simulation) {
     ++steps;
     elapsed = std::chrono::duration<double>(Clock::now() - start).count();
   }
+  if (simulation.frame().health != Health::good) return;
   const double per_step = elapsed / steps;
   std::printf(
       "Cost     %.0f us per step of %g ms at first touch (%.1f times real time); %d steps, about %.1f s in "
@@ -165,6 +167,11 @@ int do_check(const CheckOptions& options) {
   print_expectation(*scene, prediction);
   print_hand(scene->hand);
   print_cost(*scene, *simulation);
+  const Frame& reached = simulation->frame();
+  if (reached.health != Health::good)
+    return refused(options.scene + ": its first steps fail, at " + std::to_string(reached.time) +
+                       " s: " + complaint(reached.health),
+                   run_failed);
   return done;
 }
 

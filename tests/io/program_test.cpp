@@ -179,6 +179,17 @@ TEST(Program, interruption_leaves_whole_files) {
   std::filesystem::remove_all(folder);
 }
 
+TEST(Program, check_says_when_the_first_steps_fail) {
+  const std::string folder = fresh_folder("check_fails");
+  const auto check = run_program({"check", ACUS_SOURCE_DIR "/scenes/quick.toml", "--set",
+                                  "contact.near_field=false", "--set", "contact.stiffness_N_m=1e9"},
+                                 folder);
+  EXPECT_EQ(check.exit_code, 1);
+  EXPECT_NE(check.err.find("its first steps fail, at"), std::string::npos) << check.err;
+  EXPECT_EQ(check.out.find("Cost"), std::string::npos) << check.out;
+  std::filesystem::remove_all(folder);
+}
+
 TEST(Program, check_explains_every_shipped_scene) {
   const std::string folder = fresh_folder("check");
   int scenes = 0;

@@ -164,7 +164,7 @@ std::vector<SceneKey> run_keys() {
       {"run.solver_precision", ACUS_CHOICE(run.solver_precision, "single", "double"),
        "of the conjugate gradients' iterations and, where the tolerance allows, of rotations and elastic "
        "forces; "
-       "single is twice as fast and moves no force by more than the tolerance"},
+       "single is twice as fast and loses less than the tolerance leaves"},
       {"run.solver_tolerance", NumberField{ACUS_AT(run.solver_tolerance), one, {1e-14, 0.01}},
        "what a solve may leave unbalanced, of the load; 5e-5 moves no force of Fig. 6 by more than 0.01 %"},
       {"run.trace_stride", IntegerField{ACUS_AT(run.trace_stride), {1.0, 1e6}},

@@ -106,6 +106,7 @@ test('a_press_counts_once_however_long_the_bar_is_held_and_where_nothing_else_ha
   await button(page, 'Go on').waitFor();
   await page.locator('#timeline').press('Home');
   await button(page, 'Back to now').click(); // and then it can take no focus any more
+  await page.waitForFunction(() => document.activeElement === document.body); // which a browser sees when it draws
   await button(page, 'Go on').waitFor();
   await page.keyboard.press(' ');
   await button(page, 'Pause').waitFor();

@@ -76,7 +76,7 @@ ACUS_INLINE double approach_both(std::span<Real> x, std::span<Real> residual, do
   return sum_of_products<Lane>(std::span<const Real>(residual), std::span<const Real>(residual));
 }
 
-// Compiled clone by clone: what is handed to a team is not.
+// Compiled for each instruction set: what is handed to a team is not.
 namespace piece {
 
 template <class Real>

@@ -7,6 +7,7 @@
 
 namespace acus::tissue {
 
+// The same of an element of the model (pairs.h), fillers included.
 inline Mat3 deformation_of_element(const TissueModel& model, std::span<const Vec3> positions,
                                    std::size_t element) {
   const mesh::Tet& t = model.corners[element];

@@ -119,7 +119,7 @@ ACUS_INLINE void out_of_lanes(numeric::Lane4f* node, const numeric::Lane8f* in) 
   }
 }
 
-// Four floats: one.
+// Four floats: one such quarter, a node's numbers to a lane and back.
 ACUS_INLINE void into_lanes(numeric::Lane4f* out, const numeric::Lane4f* node) {
   const auto low01 = __builtin_shufflevector(node[0], node[1], 0, 4, 1, 5);
   const auto low23 = __builtin_shufflevector(node[2], node[3], 0, 4, 1, 5);
